@@ -39,7 +39,7 @@ struct BentCupError
 /// Keeps the responses of the last elastic bodies to unit loads, for other drives that have exactly the same bodies: a
 /// study in which tooth, cam or tilt varies computes those of its cup and of its bearing once. No result changes by a
 /// bit.
-/// @param count  of each kind, at about 10 MB of memory each; 0, before the first call too: none
+/// @param count  of each kind, at about 25 MB of memory for one of each; 0, before the first call too: none
 void keep_elastic_bodies(std::size_t count);
 
 /// Responses of elastic bodies to unit loads since the program began.

@@ -35,7 +35,7 @@ struct DriveStations
 struct ElasticDrive
 {
     DriveStations stations;
-    PointResponse response;  ///< of the cup
+    std::shared_ptr<PointResponse const> response;  ///< of the cup
     /// Of the outer ring of the bearing: `bearing` radial stations, outward. Absent: a rigid cam.
     std::optional<PointResponse> outer_ring = std::nullopt;
     /// Between cam and outer ring, for the contacts heights within `bearing_steps`. Present with `outer_ring`.

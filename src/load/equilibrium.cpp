@@ -37,7 +37,7 @@ class FlankCompliance
   public:
     FlankCompliance(ElasticDrive const& drive, LinearGaps const& gaps, std::size_t flanks,
                     std::vector<BearingNode> nodes)
-        : response_(drive.response), own_(gaps.compliance.own), couplings_(flanks), nodes_(std::move(nodes))
+        : response_(*drive.response), own_(gaps.compliance.own), couplings_(flanks), nodes_(std::move(nodes))
     {
         for (std::size_t i = 0; i < flanks; ++i)
             feet_.push_back(footing(drive, gaps.contacts[i]));
@@ -126,7 +126,7 @@ numeric::Complementarity contact_problem(ElasticDrive const& drive, LinearGaps c
                 ErrorCode::overload, "load", "torque of " + short_number(*torque / newton_metre) + " N m",
                 "no flank on the loaded side can carry it: the teeth slip over each other", "write a smaller torque");
         problem.border = lever;
-        problem.total = *torque / drive.response.sectors();
+        problem.total = *torque / drive.response->sectors();
     }
     return problem;
 }
@@ -154,7 +154,7 @@ Equilibrium equilibrium(ElasticDrive const& drive, LinearGaps const& gaps, std::
     result.turn = torque ? solved.scalar : gaps.turn;
     result.steps = solved.iterations;
     result.complementarity = solved.residual;
-    result.stiffness = torque ? drive.response.sectors() * solved.slope : 0;
+    result.stiffness = torque ? drive.response->sectors() * solved.slope : 0;
     for (std::size_t i = 0; i < gaps.contacts.size(); ++i)
         result.flank.push_back(i < flanks ? solved.force(static_cast<Index>(i)) : 0.0);
     result.bearing =
@@ -167,7 +167,7 @@ Equilibrium equilibrium(ElasticDrive const& drive, LinearGaps const& gaps, std::
 
 MatrixXd forces_on_cup(ElasticDrive const& drive, std::vector<FlankContact> const& contacts, Equilibrium const& state)
 {
-    MatrixXd force = MatrixXd::Zero(static_cast<Index>(drive.stations.count()), drive.response.grid());
+    MatrixXd force = MatrixXd::Zero(static_cast<Index>(drive.stations.count()), drive.response->grid());
     for (std::size_t w = 0; w < drive.bearing_steps.size(); ++w)
         for (std::size_t j = 0; j < drive.stations.bearing; ++j)
             force(static_cast<Index>(j), drive.bearing_steps[w]) +=

@@ -24,8 +24,8 @@ void describe_drive(contact::ContactStudyData& data, load::ElasticDrive const& d
                          written.tip, written.backlash_offset);
     std::vector<StageTime> const times = data.clock.times();
     study.solution.timing.insert(study.solution.timing.end(), times.begin(), times.end());
-    study.harmonics = drive.response.harmonics().back().n;
-    study.sectors = drive.response.sectors();
+    study.harmonics = drive.response->harmonics().back().n;
+    study.sectors = drive.response->sectors();
     study.contact_gap = data.context->request.gap;
     study.pitch_radius = scene.drive.module * scene.drive.flexspline_teeth / 2;
     study.edge_radius = load::edge_radius(scene);

@@ -43,7 +43,7 @@ std::vector<SlidingContact> sliding_contacts(load::LoadProblem const& problem, l
         double const phi = 2 * std::numbers::pi * c.tooth / pair.flexspline_teeth + drive.phase;
         double const axial = load::series_at(drive, loaded.shape.series[drive.stations.axial(c.slice)], phi).slope;
         result.push_back(
-            {force * drive.response.sectors(), std::hypot(cross(outward, velocity), axial), outward.dot(velocity)});
+            {force * drive.response->sectors(), std::hypot(cross(outward, velocity), axial), outward.dot(velocity)});
     }
     return result;
 }

@@ -18,7 +18,7 @@ namespace {
 double ball_load_of(load::ElasticDrive const& drive, load::Equilibrium const& state)
 {
     double const balls = std::accumulate(state.balls.begin(), state.balls.end(), 0.0);
-    return drive.response.sectors() * (drive.balls ? balls : state.bearing.sum());
+    return drive.response->sectors() * (drive.balls ? balls : state.bearing.sum());
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ AssembledCup assembled_cup(contact::ContactContext const& context, AssembledDriv
 {
     ElasticDrive const& drive = assembled.model.drive;
     LoadedDrive const& unloaded = assembled.unloaded;
-    int const sectors = drive.response.sectors();
+    int const sectors = drive.response->sectors();
     double const minor = std::numbers::pi / context.scene.wave_generator.waves;
     AssembledCup cup;
     cup.z = drive.slice_z;

@@ -60,7 +60,7 @@ BranchWithErrors opposite_branch(contact::ContactContext const& context, PathsOn
             return {};
         }
     }
-    double const period = 2 * std::numbers::pi / paths.fine.problem.drive.response.sectors();
+    double const period = 2 * std::numbers::pi / paths.fine.problem.drive.response->sectors();
     BranchWithErrors back;
     for (std::size_t i = 0; i < forth.branch.states.size(); ++i)
         if (forth.branch.states[i].torque != 0) {

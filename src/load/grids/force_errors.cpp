@@ -84,7 +84,7 @@ void enter_force_errors(PathsOnGrids const& paths, DriveGrids const& drives, std
         LoadModel const& coarse = drives.coarser[g].model;
         teeth.push_back(load_map(path.problem, *coarser[g].last).tooth_force);
         balls.push_back(forces_at_balls(result.bearing, bearing_map(coarse.drive, coarser[g].last->state),
-                                        model.drive.response.sectors()));
+                                        model.drive.response->sectors()));
         LoadedState const& state = *coarser[g].states.back();
         members.push_back(twist_members(state, free_twist(path, state.torque),
                                         cup_in_torsion(coarse.drive, coarse.radius), drives.series));

@@ -45,7 +45,7 @@ constexpr ErrorRule error_rules[] = {
 double bearing_distance(AssembledDrive const& a, AssembledDrive const& b)
 {
     return ball_distance(bearing_map(a.model.drive, a.unloaded.state), bearing_map(b.model.drive, b.unloaded.state),
-                         a.model.drive.response.sectors());
+                         a.model.drive.response->sectors());
 }
 
 /// Largest difference between the displacements of two grids in the slices of the coarse one, which the fine one has.

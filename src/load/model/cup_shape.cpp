@@ -57,7 +57,7 @@ void enter_stress(LoadModel const& model, elastic::HarmonicField const& field, i
 elastic::HarmonicField cup_field(LoadModel const& model, Eigen::MatrixXd const& forces, int threads)
 {
     DriveStations const& layout = model.drive.stations;
-    PointResponse::Loads const loads = model.drive.response.loads(forces, model.drive.phase, threads);
+    PointResponse::Loads const loads = model.drive.response->loads(forces, model.drive.phase, threads);
     auto const count = static_cast<Eigen::Index>(layout.turn(0));  // turns stand last
     Eigen::MatrixXd even = loads.even.topRows(count), odd = loads.odd.topRows(count);
     // a moment is the forces that do its work: turn = (V + n U)/r
@@ -105,7 +105,7 @@ CupStress cup_stress(LoadModel const& model, elastic::HarmonicField const& field
     elastic::SectionMesh const& mesh = model.solid.mesh();
     CupStress result;
     result.peak =
-        elastic::stress_peak(mesh, field, elastic::even_angles(angles, model.drive.response.sectors()), threads);
+        elastic::stress_peak(mesh, field, elastic::even_angles(angles, model.drive.response->sectors()), threads);
     std::vector<elastic::SectionPoint> const points = elastic::gauss_points(mesh);
     auto const distance = [&](elastic::SectionPoint const& point) {
         return (elastic::position(mesh, point) - result.peak.at).squaredNorm();

@@ -8,6 +8,7 @@
 
 #include "contact/study/place_teeth.hpp"
 #include "drive/elastic_cup.hpp"
+#include "elastic/kept_results.hpp"
 #include "elastic/wave_generator_contact.hpp"
 #include "wave_generator.hpp"
 
@@ -119,26 +120,48 @@ LoadModel load_model(contact::ContactContext const& context, LoadGrid const& res
     std::vector<int> const orders = elastic::harmonics_of(sectors, highest);
     std::shared_ptr<elastic::UnitFields const> unit =
         elastic::unit_fields(solid, {}, stations.places, orders, context.threads);
-    std::vector<HarmonicResponse> harmonics =
-        cup_responses(solid, *unit, stations, layout, context.geometry.r_m, context.threads);
+    auto const depends_on = [&](elastic::Dependencies& on) {
+        on.add(solid);
+        on.add(stations.places);
+        on.add(orders);
+        on.add(layout.bearing);
+        on.add(placed.spread);
+        on.add(context.geometry.r_m);
+        on.add(scene.drive.flexspline_teeth);
+        on.add(grid);
+    };
+    auto const response = elastic::kept_or_made<PointResponse>(depends_on, [&] {
+        return PointResponse(stations.around,
+                             cup_responses(solid, *unit, stations, layout, context.geometry.r_m, context.threads),
+                             sectors, grid, context.threads);
+    });
 
-    ElasticDrive drive{
-        .stations = layout,
-        .response = PointResponse(std::move(stations.around), std::move(harmonics), sectors, grid, context.threads),
-        .steps_per_tooth = around.steps,
-        .phase = contact::phase_of(scene, context.request.wave_generator),
-        .flexspline_teeth = scene.drive.flexspline_teeth,
-        .slice_width = slice_widths(z, context.width),
-        .flexspline = section.material,
-        .circular_spline = {scene.circular_spline.youngs_modulus, scene.circular_spline.poissons_ratio},
-        .contact_depth = 0.25 * std::numbers::pi * scene.drive.module,  // half a tooth at the pitch line
-        .bending = ToothBending(context.tooth, section.material, context.tolerance.length),
-        .bearing_z = above_middle(placed.circles, middle),
-        .slice_z = z};
+    ElasticDrive drive{.stations = layout,
+                       .response = response,
+                       .steps_per_tooth = around.steps,
+                       .phase = contact::phase_of(scene, context.request.wave_generator),
+                       .flexspline_teeth = scene.drive.flexspline_teeth,
+                       .slice_width = slice_widths(z, context.width),
+                       .flexspline = section.material,
+                       .circular_spline = {scene.circular_spline.youngs_modulus, scene.circular_spline.poissons_ratio},
+                       .contact_depth = 0.25 * std::numbers::pi * scene.drive.module,  // half a tooth at the pitch line
+                       .bending = ToothBending(context.tooth, section.material, context.tolerance.length),
+                       .bearing_z = above_middle(placed.circles, middle),
+                       .slice_z = z};
     if (scene.flow)
         drive.flow_pressure = scene.flow->pressure;
     add_wave_generator(drive, placed, context, around, highest);
-    drive.bearing_compliance = bearing_compliance(drive, context.threads);
+    auto const with_bearing = [&](elastic::Dependencies& on) {
+        depends_on(on);
+        on.add(placed.bearing);
+        on.add(section.inner_radius);
+        on.add(placed.circles);
+        on.add(drive.bearing_steps);
+    };
+    auto const made = [&] { return bearing_compliance(drive, context.threads); };
+    drive.bearing_compliance = drive.between_balls
+                                   ? made()
+                                   : *elastic::kept_or_made<std::shared_ptr<Eigen::MatrixXd const>>(with_bearing, made);
     return {std::move(solid), std::move(unit), context.geometry.r_m, middle, std::move(drive)};
 }
 

@@ -13,7 +13,7 @@ BallPeak ball_peak(ElasticDrive const& drive, Equilibrium const& state)
     for (std::size_t b = 0; b < state.balls.size(); ++b) {
         double const force = drive.ball_arc > 0 ? state.balls[b] / drive.ball_arc : state.balls[b];
         if (drive.ball_arc <= 0 && force > 0)
-            peak.carrying += drive.response.sectors();
+            peak.carrying += drive.response->sectors();
         if (force > peak.force) {
             peak.force = force;
             peak.phi = drive.balls->phi[b];
@@ -27,7 +27,7 @@ BearingMap bearing_map(ElasticDrive const& drive, Equilibrium const& state)
     BearingMap map;
     map.z = drive.bearing_z;
     for (std::size_t w = 0; w < drive.bearing_steps.size(); ++w) {
-        map.angle.push_back(drive.phase + drive.response.step() * drive.bearing_steps[w]);
+        map.angle.push_back(drive.phase + drive.response->step() * drive.bearing_steps[w]);
         for (Eigen::Index j = 0; j < state.bearing.rows(); ++j)
             map.force.push_back(state.bearing(j, static_cast<Eigen::Index>(w)));
     }

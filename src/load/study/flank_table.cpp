@@ -86,7 +86,7 @@ double pressed_area(LoadProblem const& problem, FlankTable const& table, std::si
         for (std::size_t k = 0; k + 1 < table.slices; ++k)
             area += area_between(table, table.index(s, flank, k), table.index(s, flank, k + 1), z[k + 1] - z[k]);
     }
-    return area * problem.drive.response.sectors();
+    return area * problem.drive.response->sectors();
 }
 
 }  // namespace hdconj::load

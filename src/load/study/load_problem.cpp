@@ -26,7 +26,7 @@ double edge_radius(Scene const& scene)
 std::size_t spaces_of(LoadProblem const& problem)
 {
     return static_cast<std::size_t>(problem.context.scene.drive.circular_spline_teeth /
-                                    problem.drive.response.sectors());
+                                    problem.drive.response->sectors());
 }
 
 double search_limit(LoadProblem const& problem)

@@ -22,8 +22,8 @@ wavegen::MaterialDisplacement displacement_of(ElasticDrive const& drive, std::ve
                                               std::vector<double> const& v, double r_m)
 {
     wavegen::MaterialDisplacement result;
-    result.waves = drive.response.sectors();
-    std::size_t const count = drive.response.harmonics().size();
+    result.waves = drive.response->sectors();
+    std::size_t const count = drive.response->harmonics().size();
     for (std::size_t k = 0; k < count; ++k)
         result.harmonics.push_back({w[2 * k], w[2 * k + 1], v[2 * k], v[2 * k + 1]});
     return wavegen::length_kept(std::move(result), r_m);

@@ -118,7 +118,7 @@ void enter_flanks(LoadProblem const& problem, LoadedDrive const& loaded, LoadedS
         state.largest_force = std::max({state.largest_force, on_tooth[0], on_tooth[1]});
     }
     enter_line_loads(problem, t, state);
-    state.teeth = static_cast<int>(carrying) * problem.drive.response.sectors();
+    state.teeth = static_cast<int>(carrying) * problem.drive.response->sectors();
     state.carrying_fraction = static_cast<double>(nodes) / static_cast<double>(spaces * t.slices);
     state.contact_area = pressed_area(problem, t, side);
     state.contact_fraction = state.contact_area / flank_area(problem, side);
@@ -137,14 +137,14 @@ void enter_wave_generator(LoadProblem const& problem, Equilibrium const& forces,
     for (std::size_t w = 0; w < drive.bearing_steps.size(); ++w) {
         double const force = forces.bearing.col(static_cast<Eigen::Index>(w)).sum();
         state.wave_generator_force += force;
-        double const phi = drive.phase + drive.response.step() * drive.bearing_steps[w];
+        double const phi = drive.phase + drive.response->step() * drive.bearing_steps[w];
         if (!drive.balls)
             state.wave_generator_torque -= force * slope(phi);
     }
     for (std::size_t b = 0; b < forces.balls.size(); ++b)
         state.wave_generator_torque -= forces.balls[b] * slope(drive.balls->phi[b]);
-    state.wave_generator_force *= drive.response.sectors();
-    state.wave_generator_torque *= drive.response.sectors();
+    state.wave_generator_force *= drive.response->sectors();
+    state.wave_generator_torque *= drive.response->sectors();
 }
 
 }  // namespace
@@ -201,7 +201,7 @@ LoadedState loaded_state(LoadProblem const& problem, LoadedDrive const& loaded, 
     state.complementarity = loaded.state.complementarity;
     enter_flanks(problem, loaded, state);
     enter_wave_generator(problem, loaded.state, state);
-    LobeReaction const lobe = lobe_reaction(bearing_map(problem.drive, loaded.state), problem.drive.response.sectors(),
+    LobeReaction const lobe = lobe_reaction(bearing_map(problem.drive, loaded.state), problem.drive.response->sectors(),
                                             problem.context.scene.wave_generator.waves);
     state.lobe_force = lobe.along;
     state.lobe_force_across = lobe.across;

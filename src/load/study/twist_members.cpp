@@ -49,7 +49,7 @@ double compliance_of(std::vector<TwistMember> const& members)
 
 double cup_in_torsion(ElasticDrive const& drive, double radius)
 {
-    Eigen::MatrixXd const& even = drive.response.harmonics().front().response;
+    Eigen::MatrixXd const& even = drive.response->harmonics().front().response;
     double moved = 0, width = 0;
     for (std::size_t k = 0; k < drive.stations.slices; ++k) {
         width += drive.slice_width[k];

@@ -42,7 +42,7 @@ load::ElasticDrive small_ring(int sectors, int highest, int grid, int teeth, std
                                                   {load::RingStation::Parity::cosine, 0.1},
                                                   {load::RingStation::Parity::sine, 0.1}};
     load::ElasticDrive drive{{1, 1},
-                             load::PointResponse(stations, harmonics, sectors, grid, 1),
+                             std::make_shared<load::PointResponse>(stations, harmonics, sectors, grid, 1),
                              {},
                              {},
                              grid * sectors / teeth,
@@ -143,7 +143,7 @@ Eigen::VectorXd gaps_under(Problem const& p, std::vector<double> const& flank, E
         gap[static_cast<Index>(i)] = c.gap + p.gaps.displacement[i] - moved + way[i] - c.lever * (turn - p.gaps.turn);
     }
     for (Index w = 0; w < bearing.cols(); ++w) {
-        double const phi = p.drive.response.step() * p.drive.bearing_steps[static_cast<std::size_t>(w)];
+        double const phi = p.drive.response->step() * p.drive.bearing_steps[static_cast<std::size_t>(w)];
         gap[static_cast<Index>(flanks) + w] = load::series_at(p.drive, series[0], phi).value - p.drive.needed(0, w);
     }
     return gap;
@@ -168,7 +168,7 @@ numeric::Complementarity as_matrix(Problem const& p)
     problem.border = Eigen::VectorXd::Zero(static_cast<Index>(count));
     for (std::size_t i = 0; i < flanks; ++i)
         problem.border[static_cast<Index>(i)] = p.gaps.contacts[i].lever;
-    problem.total = p.torque / p.drive.response.sectors();
+    problem.total = p.torque / p.drive.response->sectors();
     problem.compliance.resize(static_cast<Index>(count), static_cast<Index>(count));
     for (std::size_t i = 0; i < count; ++i)
         problem.compliance.col(static_cast<Index>(i)) = under(i, 0) - free;
@@ -239,7 +239,7 @@ TEST_CASE("flanks and bearing balance ten thousand torques", "[load]")
         Eigen::VectorXd const f = forces_of(found), g = gaps_under(p, found.flank, found.bearing, found.turn);
         double balance = 0;
         for (std::size_t k = 0; k < found.flank.size(); ++k)
-            balance += p.gaps.contacts[k].lever * found.flank[k] * p.drive.response.sectors();
+            balance += p.gaps.contacts[k].lever * found.flank[k] * p.drive.response->sectors();
         double const length = 0.05, force = f.maxCoeff();
         CHECK(f.minCoeff() >= 0);
         worst = std::max({worst, -g.minCoeff() / length, std::abs(balance - p.torque) / (20 * force)});
