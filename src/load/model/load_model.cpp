@@ -83,6 +83,29 @@ std::vector<HarmonicResponse> cup_responses(elastic::FourierSolid const& solid, 
     return result;
 }
 
+/// The drive without its wave generator, and without the response of its cup.
+ElasticDrive cup_with_teeth(contact::ContactContext const& context, elastic::Elasticity const& material,
+                            std::vector<double> const& z, DriveStations const& layout, PlacedBearing const& placed,
+                            RingGrid const& around)
+{
+    Scene const& scene = context.scene;
+    ElasticDrive drive{.stations = layout,
+                       .response = nullptr,
+                       .steps_per_tooth = around.steps,
+                       .phase = contact::phase_of(scene, context.request.wave_generator),
+                       .flexspline_teeth = scene.drive.flexspline_teeth,
+                       .slice_width = slice_widths(z, context.width),
+                       .flexspline = material,
+                       .circular_spline = {scene.circular_spline.youngs_modulus, scene.circular_spline.poissons_ratio},
+                       .contact_depth = 0.25 * std::numbers::pi * scene.drive.module,  // half a tooth at the pitch line
+                       .bending = ToothBending(context.tooth, material, context.tolerance.length),
+                       .bearing_z = above_middle(placed.circles, placed.bearing.middle),
+                       .slice_z = z};
+    if (scene.flow)
+        drive.flow_pressure = scene.flow->pressure;
+    return drive;
+}
+
 int highest_harmonic(LoadGrid const& resolution, RingGrid const& around)
 {
     return std::min(resolution.harmonics, around.highest_harmonic()) / around.sectors * around.sectors;
@@ -136,20 +159,8 @@ LoadModel load_model(contact::ContactContext const& context, LoadGrid const& res
                              sectors, grid, context.threads);
     });
 
-    ElasticDrive drive{.stations = layout,
-                       .response = response,
-                       .steps_per_tooth = around.steps,
-                       .phase = contact::phase_of(scene, context.request.wave_generator),
-                       .flexspline_teeth = scene.drive.flexspline_teeth,
-                       .slice_width = slice_widths(z, context.width),
-                       .flexspline = section.material,
-                       .circular_spline = {scene.circular_spline.youngs_modulus, scene.circular_spline.poissons_ratio},
-                       .contact_depth = 0.25 * std::numbers::pi * scene.drive.module,  // half a tooth at the pitch line
-                       .bending = ToothBending(context.tooth, section.material, context.tolerance.length),
-                       .bearing_z = above_middle(placed.circles, middle),
-                       .slice_z = z};
-    if (scene.flow)
-        drive.flow_pressure = scene.flow->pressure;
+    ElasticDrive drive = cup_with_teeth(context, section.material, z, layout, placed, around);
+    drive.response = response;
     add_wave_generator(drive, placed, context, around, highest);
     auto const with_bearing = [&](elastic::Dependencies& on) {
         depends_on(on);
