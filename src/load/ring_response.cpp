@@ -47,7 +47,7 @@ PointResponse::PointResponse(std::vector<RingStation> stations, std::vector<Harm
             long const part = static_cast<long>(harmonics_[static_cast<std::size_t>(k)].n / sectors_) * i % grid;
             double const angle = 2 * std::numbers::pi * static_cast<double>(part) / grid;
             cosine(i, k) = std::cos(angle);
-            sine(i, k) = std::sin(angle);
+            sine(i, k) = 2 * part % grid == 0 ? 0 : std::sin(angle);
         }
     table_.resize(count * count * points);
     constexpr std::size_t grain = 4;

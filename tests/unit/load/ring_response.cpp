@@ -57,8 +57,8 @@ TEST_CASE("a ring answers a force at one place as a force at another answers it"
     load::PointResponse const response(stations(1), harmonics, 2, 50, 2);
     for (std::size_t a = 0; a < 3; ++a)
         for (std::size_t b = 0; b < 3; ++b)
-            for (int steps : {0, 3, 17, -8, 53})
-                CHECK(response(a, b, steps) == Approx(response(b, a, -steps)).margin(1e-15));
+            for (int steps : {0, 3, 17, 25, -8, 53})
+                CHECK(response(a, b, steps) == response(b, a, -steps));
 }
 
 TEST_CASE("series of displacements under forces are the sums of what each force does", "[load]")
