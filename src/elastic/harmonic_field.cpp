@@ -10,25 +10,6 @@ namespace hdconj::elastic {
 
 using Eigen::Index;
 
-HarmonicField harmonic_field(FourierSolid const& solid, Supports const& supports, std::vector<Station> const& stations,
-                             std::vector<int> const& harmonics, Eigen::MatrixXd const& even, Eigen::MatrixXd const& odd,
-                             int threads)
-{
-    Eigen::MatrixXd const shares = station_shares(solid, stations);
-    auto const terms = static_cast<Index>(harmonics.size());
-    HarmonicField field{harmonics, Eigen::MatrixXd(solid.unknowns(), terms), Eigen::MatrixXd(solid.unknowns(), terms)};
-    for_each_harmonic(solid, supports, harmonics, threads, [&](std::size_t i, HarmonicSolver const& solve) {
-        auto const k = static_cast<Index>(i);
-        Eigen::MatrixXd loads(solid.unknowns(), 2);
-        loads.col(0) = shares * even.col(k);
-        loads.col(1) = shares * odd.col(k);
-        Eigen::MatrixXd const moved = solve(loads);
-        field.even.col(k) = moved.col(0);
-        field.odd.col(k) = moved.col(1);
-    });
-    return field;
-}
-
 HarmonicField harmonic_field(UnitFields const& unit, Eigen::MatrixXd const& even, Eigen::MatrixXd const& odd,
                              int threads)
 {

@@ -23,15 +23,9 @@ struct HarmonicField
 /// Stress components in the order rr, zz, tt, rz, rt, zt [MPa].
 using Stress = Eigen::Matrix<double, 6, 1>;
 
-/// The field under loads of the stations [N/rad], rows: stations, columns: harmonics, in the same two families: a
-/// radial or axial load p cos n phi + q sin n phi has even = p, odd = q; a tangential one p sin n phi + q cos n phi has
-/// even = p, odd = -q.
-/// @throws NumericalError as HarmonicSolver does
-[[nodiscard]] HarmonicField harmonic_field(FourierSolid const& solid, Supports const& supports,
-                                           std::vector<Station> const& stations, std::vector<int> const& harmonics,
-                                           Eigen::MatrixXd const& even, Eigen::MatrixXd const& odd, int threads = 1);
-
-/// The same by products from fields of the stations under unit loads; equal to it but for rounding.
+/// The field under loads of the stations of @p unit [N/rad], rows: stations, columns: harmonics, in the same two
+/// families: a radial or axial load p cos n phi + q sin n phi has even = p, odd = q; a tangential one p sin n phi + q
+/// cos n phi has even = p, odd = -q.
 [[nodiscard]] HarmonicField harmonic_field(UnitFields const& unit, Eigen::MatrixXd const& even,
                                            Eigen::MatrixXd const& odd, int threads = 1);
 

@@ -9,6 +9,7 @@
 #include "hdconj/error.hpp"
 #include "hdconj/wavegen/cosine_cam.hpp"
 #include "support/catch.hpp"
+#include "support/solved_field.hpp"
 
 namespace hdconj::test::bent_cup_cases {
 
@@ -88,7 +89,7 @@ TEST_CASE("stress of a thick ring under inner pressure is Lame's", "[bent_cup]")
     Eigen::MatrixXd const load = Eigen::Vector3d(1, 4, 1) * (pressure * width * a / 6);
     elastic::Supports const supports{{0, elastic::Direction::axial, -1, 0}, {0, elastic::Direction::tangential, -1, 0}};
     elastic::HarmonicField const field =
-        elastic::harmonic_field(solid, supports, stations, {0}, load, Eigen::MatrixXd::Zero(3, 1));
+        solved_field(solid, supports, stations, {0}, load, Eigen::MatrixXd::Zero(3, 1));
     double const factor = pressure * a * a / (b * b - a * a);
     for (elastic::SectionPoint const& place : elastic::gauss_points(solid.mesh())) {
         double const r = elastic::position(solid.mesh(), place).x();
@@ -110,8 +111,8 @@ TEST_CASE("both families of a field are one turned by a quarter of a wave", "[be
         elastic::wall_station(solid.mesh(), 9, 0, elastic::Direction::radial),
         elastic::wall_station(solid.mesh(), 10, 1, elastic::Direction::tangential)};
     Eigen::MatrixXd const load = Eigen::Vector2d(3, 2), none = Eigen::Vector2d::Zero();
-    elastic::HarmonicField const even = elastic::harmonic_field(solid, {}, stations, {4}, load, none),
-                                 odd = elastic::harmonic_field(solid, {}, stations, {4}, none, load);
+    elastic::HarmonicField const even = solved_field(solid, {}, stations, {4}, load, none),
+                                 odd = solved_field(solid, {}, stations, {4}, none, load);
     elastic::SectionPoint const place = elastic::wall_point(solid.mesh(), 7.7, 0.3);
     for (double const phi : {0.0, 0.3, 1.9}) {
         // sin n phi = cos n (phi - pi/2n)

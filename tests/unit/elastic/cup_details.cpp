@@ -9,6 +9,7 @@
 #include "elastic/bent_cup.hpp"
 #include "hdconj/error.hpp"
 #include "support/catch.hpp"
+#include "support/solved_field.hpp"
 
 namespace hdconj::test::cup_details_cases {
 
@@ -23,7 +24,7 @@ double stress_near(elastic::CupSection const& cup, double size, double low, doub
     elastic::FourierSolid const solid(elastic::section_mesh(cup, {size, size}));
     std::vector<elastic::Station> const station{elastic::wall_station(solid.mesh(), 9, 0, elastic::Direction::radial)};
     elastic::HarmonicField field =
-        elastic::harmonic_field(solid, {}, station, {2}, Eigen::MatrixXd::Ones(1, 1), Eigen::MatrixXd::Zero(1, 1));
+        solved_field(solid, {}, station, {2}, Eigen::MatrixXd::Ones(1, 1), Eigen::MatrixXd::Zero(1, 1));
     field.even *= 0.25 / elastic::displacement_at(solid.mesh(), field, station.front().place, 0)[0];
     std::vector<double> phi;
     for (int i = 0; i <= 12; ++i)
@@ -148,7 +149,7 @@ TEST_CASE("teeth carry no hoop stress", "[cup_details]")
         load.conservativeResize(15, 1);
         load.bottomRows(7).setConstant(4);
         elastic::HarmonicField const field =
-            elastic::harmonic_field(solid, supports, stations, {0}, load, Eigen::MatrixXd::Zero(15, 1));
+            solved_field(solid, supports, stations, {0}, load, Eigen::MatrixXd::Zero(15, 1));
         return elastic::displacement_at(mesh, field, elastic::wall_point(mesh, 1.1, 0.3), 0)[0];
     };
     CHECK(pressed(toothed) == Approx(pressed(bare)).epsilon(1e-10));

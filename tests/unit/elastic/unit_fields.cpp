@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "support/catch.hpp"
+#include "support/solved_field.hpp"
 
 namespace hdconj::test::unit_fields_cases {
 
@@ -46,7 +47,7 @@ TEST_CASE("influence and field of unit fields are those of the solid", "[unit_fi
             even(a, k) = std::cos(1.0 + static_cast<double>(3 * a + 7 * k));
             odd(a, k) = std::sin(2.0 + static_cast<double>(5 * a + 2 * k));
         }
-    elastic::HarmonicField const solved = harmonic_field(cup.solid, {}, cup.stations, cup.harmonics, even, odd),
+    elastic::HarmonicField const solved = solved_field(cup.solid, {}, cup.stations, cup.harmonics, even, odd),
                                  combined = elastic::harmonic_field(unit, even, odd);
     double const size = solved.even.cwiseAbs().maxCoeff();
     constexpr double rounding = 1e-10;  // of a thin wall's condition
