@@ -4,13 +4,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 #include "arguments.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/read_scene.hpp"
 #include "hdconj/result_files.hpp"
+#include "hdconj/scene/reading.hpp"
 #include "hdconj/solve.hpp"
+#include "hdconj/units.hpp"
 #include "hdconj/wire_files.hpp"
 #include "run_verb.hpp"
 
@@ -35,6 +40,7 @@ struct WireInput
 {
     Scene scene;
     std::optional<CircularSplineOutline> outline;
+    std::optional<StoredOutline> of_case;  ///< another ring than the scene's, which is solved
 
     /// The flexspline is cut in two set-ups.
     [[nodiscard]] bool cuts_flexspline() const { return scene.wedm->part == WirePart::flexspline; }
@@ -85,22 +91,104 @@ WireInput stored(CommonOptions const& common, WireArguments const& own)
     auto reading = examine_scene(result.scene, own.from, {}, common.overrides);
     examine_geometry(reading);
     refuse(std::move(reading.faults));
-    return {std::move(reading.scene), std::move(result.outline)};
+    if (result.verb.empty())
+        return {std::move(reading.scene), std::move(result.outline), {}};
+    return {std::move(reading.scene), {}, std::move(result)};
+}
+
+/// The largest distance of the ends of @p ring from the contour that @p cut cuts, at their heights [mm].
+double off_the_cut(CircularSplineOutline const& ring, WireProgram const& cut)
+{
+    double most = 0;
+    PairedContour const& contour = cut.nominal;
+    auto const measure = [&](std::vector<Vec2> const& points, double z) {
+        double const share = 0.5 + z / cut.machine.thickness;
+        std::vector<Vec2> line;
+        for (std::size_t i = 0; i <= contour.lower.size(); ++i) {
+            std::size_t const k = i % contour.lower.size();
+            line.emplace_back(contour.lower[k] + share * (contour.upper[k] - contour.lower[k]));
+        }
+        for (Vec2 const& p : points) {
+            double nearest = std::numeric_limits<double>::infinity();
+            for (std::size_t i = 1; i < line.size(); ++i) {
+                Vec2 const way = line[i] - line[i - 1];
+                double const at = std::clamp((p - line[i - 1]).dot(way) / way.squaredNorm(), 0.0, 1.0);
+                nearest = std::min(nearest, (p - line[i - 1] - at * way).squaredNorm());
+            }
+            most = std::max(most, std::sqrt(nearest));
+        }
+    };
+    measure(ring.outline.front(), ring.z.front());
+    measure(ring.outline.back(), ring.z.back());
+    return most;
+}
+
+/// What the ring of the case @p stored in the file @p name has in place of that of @p scene, which @p cut cuts; empty
+/// where both are the same.
+std::string case_warning(StoredOutline const& stored, std::string const& name, Scene const& scene,
+                         WireProgram const& cut)
+{
+    auto const& z = stored.outline.z;
+    double const lower = stored.outline.outline.front().front().norm();  // the tip circle, in the middle of a land
+    double const upper = stored.outline.outline.back().front().norm();
+    double const own_lower = cut.figures.lower.inner, own_upper = cut.figures.upper.inner;
+    double const lean = z.size() > 1 ? std::atan((upper - lower) / (z.back() - z.front())) : 0;
+    double const own_lean = std::atan((own_upper - own_lower) / cut.machine.thickness);
+    double const own_clearance = scene.circular_spline.backlash_offset;
+    bool const is_known = stored.side_clearance && !scene.circular_spline.automatic_backlash;
+    std::vector<std::string> found, keys;
+    auto const compare = [&](std::string const& what, double value, double own, std::string const& key) {
+        if (std::abs(value - own) <= cut.contour_error)
+            return;
+        found.push_back(
+            fmt::format("{} of {:.6f} in place of {:.6f} mm ({:+.4g} um)", what, value, own, (value - own) * per_um));
+        keys.push_back(fmt::format("{} = {:.6f}", key, value));
+    };
+    compare("a side clearance", is_known ? *stored.side_clearance : own_clearance, own_clearance,
+            "circular_spline.backlash_offset");
+    compare("a tip circle at z = 0", (lower + upper) / 2, (own_lower + own_upper) / 2, "circular_spline.inner_radius");
+    if (std::abs(lean - own_lean) * cut.machine.thickness > cut.contour_error) {
+        found.push_back(fmt::format("a tilt of {:.4f} in place of {:.4f} degrees", to_deg(lean), to_deg(own_lean)));
+        keys.push_back(fmt::format("tilt.angle_deg = {:.6g}", to_deg(lean)));
+    }
+    double const off = off_the_cut(stored.outline, cut);
+    if (found.empty() && off <= cut.tolerance)
+        return {};
+    found.push_back(fmt::format("an outline up to {:.3g} um off the one that is cut", off * per_um));
+    return fmt::format("{} holds the ring of a case of {}, with {}; the wire cuts the ring of the stored scene{}", name,
+                       stored.verb, fmt::join(found, ", "),
+                       keys.empty() || !stored.side_clearance
+                           ? ""
+                           : fmt::format("; for a ring with these write {} into the scene and leave --from out",
+                                         fmt::join(keys, ", ")));
 }
 
 WireInput input_for(CommonOptions const& common, WireArguments const& own)
 {
     CommonOptions const all = with_keys(common, own);
-    WireInput input = own.from.empty() ? WireInput{load_scene(all), {}} : stored(all, own);
-    refuse(check_wedm(input.scene));
+    WireInput input = own.from.empty() ? WireInput{load_scene(all), {}, {}} : stored(all, own);
+    Faults faults = check_wedm(input.scene);
+    if (faults.empty() && own.dialects.empty()) {
+        faults = check_dialects(named_dialects(input.scene), "wedm.dialects");
+        scene::locate(faults, input.scene);
+    }
+    refuse(std::move(faults));
     return input;
 }
 
-/// The set-ups of the part; of the outline that is given, where it is the circular spline's.
-WireSetUps programs_of(WireInput const& input, StageObserver const& on_stage)
+/// The set-ups of the part; of the outline that is given, where it is the circular spline's. A ring of the file
+/// @p from that is not cut is a warning.
+WireSetUps programs_of(WireInput const& input, std::string const& from, StageObserver const& on_stage)
 {
-    return input.outline && !input.cuts_flexspline() ? WireSetUps{wire_program(input.scene, *input.outline)}
-                                                     : wire_set_ups(input.scene, on_stage);
+    if (input.cuts_flexspline())
+        return wire_set_ups(input.scene, on_stage);
+    if (input.outline)
+        return {wire_program(input.scene, *input.outline)};
+    WireSetUps programs = wire_set_ups(input.scene, on_stage);
+    if (input.of_case)
+        if (auto const told = case_warning(*input.of_case, from, input.scene, programs.front()); !told.empty())
+            programs.front().warnings.push_back(told);
+    return programs;
 }
 
 void add_files(Work<WireCut>& work, WireArguments const& own, fs::path const& folder,
@@ -133,7 +221,7 @@ int run_wedm(CommonOptions const& common, WireArguments const& own)
     append(work.inputs, input_of("--from", own.from));
     add_files(work, own, folder, dialects, input.cuts_flexspline() ? 2 : 1);
     work.compute = [&](ProgressLine const& progress) {
-        WireCut cut{programs_of(input, progress.stages()), {}};
+        WireCut cut{programs_of(input, own.from, progress.stages()), {}};
         settle_unfit_dialects(cut.programs, input.scene, dialects, input.outline ? &*input.outline : nullptr);
         return cut;
     };
@@ -180,7 +268,8 @@ void add_wedm(CLI::App& program, CommonOptions& common)
                angle("an angle in degrees such as 0.2"));
     add_name(verb, "-o,--output", own.output, "folder to make [the scene file's name and -wedm, in this folder]",
              "DIR");
-    add_name(verb, "--from", own.from, "take scene and outline from a result file in place of solving", "FILE.h5");
+    add_name(verb, "--from", own.from,
+             "take scene and outline from a result file; of contact, load or run: only the scene", "FILE.h5");
     add_list(verb, "--dialect", own.dialects, "files to write, see below [the scene's, or all that fit]", "NAME,...");
     add_option(verb, "--decimals", own.decimals, "of coordinates in mm, key wedm.decimals [the scene's, or 4]", "N",
                finite_number("write a whole number such as 4"));

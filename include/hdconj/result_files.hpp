@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,9 +55,12 @@ struct StoredOutline
 {
     std::string scene;              ///< text of the scene that was solved, after --set
     CircularSplineOutline outline;  ///< bit for bit as it was written
+    std::string verb;  ///< of a result with cases: contact, load or run. The outline is that of a case: side
+                       ///< clearance, tip circle and tilt may differ from the scene's. Empty: solve
+    std::optional<double> side_clearance;  ///< that the outline of a case includes, where the file says so [mm]
 };
 
-/// Reads what write_hdf5 wrote of the circular spline, of `solve` and of `contact`.
+/// Reads what write_hdf5 wrote of the circular spline, of any verb that solves one.
 /// @throws InputError where @p file is none of our results, or its parts contradict each other
 [[nodiscard]] StoredOutline read_outline(std::filesystem::path const& file);
 

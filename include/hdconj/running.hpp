@@ -117,6 +117,7 @@ struct RunStudy
     double torque = 0;         ///< the largest, on the output [N mm]
     double spline_torque = 0;  ///< the same on the circular spline, as `load` counts it [N mm]
     double backlash_offset = 0;          ///< side clearance of the flanks [mm]
+    double side_clearance = 0;           ///< that the outline of `solution` includes, as in ContactStudy [mm]
     std::vector<RunSequence> sequences;  ///< in order of span, without torque first
     std::optional<RunLosses> losses;     ///< with [friction] only
     std::vector<std::string> missing;    ///< positions and torques without a result, each with its cause

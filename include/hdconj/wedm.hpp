@@ -58,7 +58,8 @@ struct WireMove
 struct WirePass
 {
     int number = 1;               ///< 1 for the first pass
-    double offset = 0;            ///< wire centre to nominal contour: wire radius + spark gap + stock [mm]
+    double offset = 0;            ///< wire centre to nominal contour, square to the wire: wire radius + spark gap +
+                                  ///< stock [mm]
     double stock = 0;             ///< left for later passes [mm]
     bool reversed = false;        ///< runs against the first pass: void on the right
     std::vector<WireMove> moves;  ///< the first one is the start hole, or a place in the open beside an external part
@@ -111,8 +112,8 @@ struct WireFigures
     double least_shift = 0;  ///< smallest
     double guide_shift = 0;  ///< largest distance of the guides of any move, seen along the axis: H tan(tilt)
     double tilt = 0;         ///< largest angle of the wire from the axis in any move [rad]
-    double ellipse = 0;    ///< r (1/cos tilt - 1): a wire that leans cuts an ellipse in the plane of a face, this much
-                           ///< wider; neglected
+    double ellipse = 0;    ///< r (1/cos tilt - 1), r with the spark gap: a wire that leans cuts an ellipse in the plane
+                           ///< of a face, this much longer along its lean; the passes allow for it
     double travel = 0;     ///< largest |x| or |y| of a guide from the start hole
     double uv_travel = 0;  ///< largest |x| or |y| of the upper guide from the lower one
     std::vector<PassFigures> passes;  ///< each pass in numbers
@@ -124,9 +125,9 @@ struct WireFigures
     double middle_error = 0;  ///< of the cut from the true sections between the faces, residuals apart, all passes
     double ruling_error =
         0;  ///< of straight lines between the faces from the true sections: that of the surface itself
-    double normal_angle = 0;  ///< largest angle between matched edges of the faces [rad]
-    double constant_taper_error =
-        0;  ///< what a machine's constant taper (G51) would be wrong by on the flanks of the upper face
+    double normal_angle = 0;           ///< largest angle between matched edges of the faces [rad]
+    double constant_taper_error = 0;   ///< what a machine's constant taper (G51) would be wrong by on the flanks of the
+                                       ///< upper face; NaN: not determined, such a taper cuts the flanks away
     double constant_taper_spread = 0;  ///< estimated error of that, from how it differs between neighbouring points;
                                        ///< that of the contours comes on top, twice
 
@@ -210,8 +211,9 @@ using WireSetUps = std::vector<WireProgram>;
 /// Solves wire_scene(scene) and makes the program of all passes, checked (checks.hpp).
 ///
 /// The lower face z = 0 of the workpiece is the slice at -T/2 of the drive, the upper one that at +T/2. Each pass is
-/// the parallel of both faces in their planes at wire_diameter/2 + spark_gap + stock, thinned to `tolerance`. All
-/// spaces are turned copies of one; every pass begins on a tip land.
+/// the parallel of both faces in their planes at wire_diameter/2 + spark_gap + stock, measured square to the wire, so
+/// that the ellipse which a leaning wire cuts in a face touches the contour; thinned to `tolerance`. All spaces are
+/// turned copies of one; every pass begins on a tip land.
 /// @throws InputError     faults of the scene, or more residual material than residual_limit
 /// @throws NumericalError the drive cannot be solved, or a check failed: all failures in one message
 [[nodiscard]] WireProgram wire_program(Scene const& scene, StageObserver const& on_stage = {});

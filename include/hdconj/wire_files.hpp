@@ -70,8 +70,10 @@ struct WireFile
     std::size_t blocks = 0;        ///< straight moves in it
     std::size_t bytes = 0;         ///< size of the file
     double unit = 0;               ///< last digit [mm]; 0: not rounded
-    double drift = 0;  ///< largest distance, along the whole path and in both faces, of what is read back from the
-                       ///< exact; of all files of its dialect [mm]
+    double drift = 0;      ///< largest distance, along the whole path and in both faces, of what is read back from the
+                           ///< exact; of all files of its dialect [mm]
+    double cut_error = 0;  ///< bound for the distance of the cut from the nominal faces when the file is run, residual
+                           ///< material apart: that of the exact path and the drift [mm]
 
     /// Whether another reader than ours has accepted the dialect.
     [[nodiscard]] bool verified() const { return !verified_by.empty(); }

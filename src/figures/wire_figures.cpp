@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "wire_figures.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 
 #include "number_text.hpp"
@@ -65,6 +68,8 @@ Rows<MeasuredProgram> wire_figures()
                                      {"guide offset", decimals<6>}),
         found<&Figures::tilt>("largest_wire_tilt", degree, "largest angle of the wire from the axis",
                               {"wire tilt", decimals<6>}),
+        found<&Figures::ellipse>("wire_ellipse", um, "how much longer than wide the wire cuts in the plane of a face",
+                                 {"wire's ellipse", significant<3>}),
         found<&Figures::travel>("travel", mm, "largest way of a guide along an axis", {"travel", decimals<3>}),
         found<&Figures::uv_travel>("uv_travel", mm, "largest way of the upper guide against the lower one",
                                    {"upper against lower guide", decimals<3>}),
@@ -149,8 +154,32 @@ Rows<WireFile> wire_file_figures()
         figure<&WireFile::bytes>("bytes", one, "size", {"bytes", whole}),
         figure<&WireFile::unit>("unit", um, "last digit; 0: not rounded"),
         figure<&WireFile::drift>("drift", um, "largest distance of the path read back from the exact one",
-                                 {"drift", significant<2>})};
+                                 {"drift", significant<2>}),
+        figure<&WireFile::cut_error>("cut_error", um, "bound of the cut from the nominal faces, with the drift",
+                                     {"cut", significant<3>})};
     return Rows<WireFile>(rows);
+}
+
+std::vector<std::string> wire_warnings(WireProgram const& program, std::vector<WireFile> const& files)
+{
+    std::vector<WireFile const*> worst;  // of each dialect
+    for (WireFile const& file : files) {
+        auto const same = std::ranges::find(worst, file.dialect, &WireFile::dialect);
+        if (same == worst.end())
+            worst.push_back(&file);
+        else if (file.cut_error > (*same)->cut_error)
+            *same = &file;
+    }
+    std::vector<std::string> warnings = program.warnings;
+    for (WireFile const* const file : worst)
+        if (program.tolerance > 0 && file->cut_error > program.tolerance)
+            warnings.push_back(fmt::format(
+                "dialect {}: a cut by its files may be {} off the faces, more than wedm.tolerance = {}: the path in "
+                "them is up to {} off the exact one, which is {} off the faces; the column cut shows which dialects "
+                "keep the tolerance",
+                file->dialect, um_text(file->cut_error), um_text(program.tolerance), um_text(file->drift),
+                um_text(file->cut_error - file->drift)));
+    return warnings;
 }
 
 }  // namespace hdconj::figures

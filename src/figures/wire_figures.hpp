@@ -2,6 +2,9 @@
 // The figures of a wire program, which has no HDF5: names are keys of JSON.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "figure_of.hpp"
 #include "hdconj/wedm.hpp"
 #include "hdconj/wire_files.hpp"
@@ -32,5 +35,8 @@ struct MeasuredPass
 [[nodiscard]] Rows<MeasuredPass> pass_figures();
 [[nodiscard]] Rows<Residual> residual_figures();
 [[nodiscard]] Rows<WireFile> wire_file_figures();
+
+/// The warnings of @p program, and of @p files whose cut may exceed the tolerance.
+[[nodiscard]] std::vector<std::string> wire_warnings(WireProgram const& program, std::vector<WireFile> const& files);
 
 }  // namespace hdconj::figures

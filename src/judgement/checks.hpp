@@ -25,7 +25,8 @@ namespace hdconj::judgement {
 [[nodiscard]] double bending_stress(Scene const& scene, PairGeometry const& geometry);
 /// That stress against its limits.
 [[nodiscard]] std::optional<Note> wall_stress(UnsolvedPair const& pair);
-/// Where along a lobe the flexspline's tips leave the circular spline's tip circle.
+/// Where along a lobe the flexspline's tips leave the circular spline's tip circle, in the slice where a tilt makes
+/// that smallest.
 [[nodiscard]] std::optional<Note> late_mesh(UnsolvedPair const& pair);
 
 /// Teeth of a lobe that touch with a flank at the same time.

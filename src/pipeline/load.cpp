@@ -20,8 +20,9 @@ void describe_drive(contact::ContactStudyData& data, load::ElasticDrive const& d
     study.solution.plan = data.plan;
     study.solution.notes.insert(study.solution.notes.end(), study.missing.begin(), study.missing.end());
     LoadCase const& written = study.cases[study.written_case];
-    pipeline::write_part(study.solution, data, {written.surface, written.kind.value_or(TiltKind::radial), written.tilt},
-                         written.tip, written.backlash_offset);
+    study.side_clearance = pipeline::write_part(
+        study.solution, data, {written.surface, written.kind.value_or(TiltKind::radial), written.tilt}, written.tip,
+        written.backlash_offset);
     std::vector<StageTime> const times = data.clock.times();
     study.solution.timing.insert(study.solution.timing.end(), times.begin(), times.end());
     study.harmonics = drive.response->harmonics().back().n;

@@ -114,7 +114,7 @@ void run_prescribed(contact::ContactStudyData& data, running::RunTask const& tas
         running::add_shape_error(sequence, angle);
         add(std::move(sequence), study);
     }
-    pipeline::write_part(study.solution, data, spec, surface.tip, surface.offset);
+    study.side_clearance = pipeline::write_part(study.solution, data, spec, surface.tip, surface.offset);
 }
 
 /// The same drive on the grid asked for and, where there is one, on the coarse grid.
@@ -189,7 +189,8 @@ void run_elastic(contact::ContactStudyData& data, running::RunTask const& task, 
         if (!runs.empty())
             study.losses = running::run_losses(losses, task, runs, others, drives.safety);
     });
-    pipeline::write_part(study.solution, data, spec, assembled.surface.tip, assembled.surface.offset);
+    study.side_clearance =
+        pipeline::write_part(study.solution, data, spec, assembled.surface.tip, assembled.surface.offset);
 }
 
 /// Positions of all sequences, on both grids.

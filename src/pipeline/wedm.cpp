@@ -69,7 +69,7 @@ WireProgram wire_program(Scene const& scene, CircularSplineOutline const& outlin
 {
     wedm::refuse_wire_faults(scene);
     WireProgram program = spline_program(scene, outline);
-    program.judgement = judge(scene);
+    program.judgement = judge(wire_scene(scene));
     return program;
 }
 

@@ -28,9 +28,9 @@ using WireFailures = std::vector<std::string>;
 /// Nominal contour and every pass at z = 0, T/2 and T: no crossing, void on the left (reversed passes: on the right).
 [[nodiscard]] WireFailures check_crossings(WireProgram const& program);
 
-/// Every contour point and move's middle of every pass keeps its offset from the nominal face, neither less nor more,
-/// to the tolerance: the way from the path to the part, where residuals were found by the way from the part to the
-/// path. Fills in face_error.
+/// Every contour point and move's middle of every pass keeps its offset from the nominal face, square to the wire,
+/// neither less nor more, to the tolerance: the way from the path to the part, where residuals were found by the way
+/// from the part to the path. Fills in face_error.
 /// @param faces  the fine contour, not the program's thinned one
 [[nodiscard]] WireFailures check_sweep(WireFaces const& faces, WireProgram& program);
 
@@ -88,9 +88,10 @@ struct LargestDistance
     double value = 0, spread = 0;
 };
 
-/// What constant taper (G51) would be wrong by: the lower contour moved along its normal by what the tip land moves
-/// between the faces, against the upper face, on the flanks [mm]. One place of each edge is looked at: between two the
-/// distance may be larger by about as much as theirs differ.
+/// What constant taper (G51) would be wrong by: it moves every flank off the lower contour by what the tip land moves
+/// between the faces, and the flanks of the upper face lie off it by another distance [mm]. One place of each edge is
+/// looked at: between two the difference may be larger by about as much as theirs differ. NaN where less than half of
+/// the flank is left, moved so: the rest lies nearer to another part of the lower contour and is cut away.
 [[nodiscard]] LargestDistance constant_taper_error(WireFaces const& faces);
 
 /// Chord error at the guides, where moves between @p kept points of @p path are straight as well: largest distance of a

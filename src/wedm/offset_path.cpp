@@ -7,22 +7,26 @@
 #include <tuple>
 #include <utility>
 
+#include "lean.hpp"
+
 namespace hdconj::wedm {
 namespace {
 
-/// A vertex of one face: normals of its two edges towards the void, and the angle between them, positive to the left.
+/// A vertex of one face as the wire's ellipse there makes it a circle: normals of its two edges towards the void, and
+/// the angle between them, positive to the left.
 struct Vertex
 {
+    Lean lean;
     Vec2 before = Vec2::Zero();
     Vec2 after = Vec2::Zero();
     double turn = 0;
 };
 
-Vertex vertex(std::vector<Vec2> const& points, std::size_t i)
+Vertex vertex(std::vector<Vec2> const& points, std::size_t i, Lean const& lean)
 {
-    Vec2 const before = left_of((points[i] - points[i - 1]).normalized());
-    Vec2 const after = left_of((points[i + 1] - points[i]).normalized());
-    return {before, after, std::atan2(cross(before, after), before.dot(after))};
+    Vec2 const before = lean.cast(left_of(points[i] - points[i - 1])).normalized();
+    Vec2 const after = lean.cast(left_of(points[i + 1] - points[i])).normalized();
+    return {lean, before, after, std::atan2(cross(before, after), before.dot(after))};
 }
 
 Vec2 turned(Vec2 const& v, double angle)
@@ -30,9 +34,10 @@ Vec2 turned(Vec2 const& v, double angle)
     return std::cos(angle) * v + std::sin(angle) * left_of(v);
 }
 
-/// Chords of at most @p step that the wire takes around a vertex; 1: the parallels of its edges meet in a point.
-int chords_around(Vertex const& v, double step)
+/// Chords of at most @p sagitta that the wire takes around a vertex; 1: the parallels of its edges meet in a point.
+int chords_around(Vertex const& v, double offset, double sagitta)
 {
+    double const step = 2 * std::acos(1 - std::min(0.5, sagitta / (offset * v.lean.secant())));
     return std::max(1, static_cast<int>(std::ceil(std::abs(v.turn) / step)));
 }
 
@@ -41,8 +46,8 @@ int chords_around(Vertex const& v, double step)
 void add_fan(std::vector<Vec2>& out, Vec2 const& p, Vertex const& v, double offset, int chords, bool round)
 {
     for (int i = 0; i <= (chords > 1 ? chords : 0); ++i)
-        out.push_back(round ? Vec2(p + offset * turned(v.before, v.turn * i / chords))
-                            : Vec2(p + offset / (1 + v.before.dot(v.after)) * (v.before + v.after)));
+        out.push_back(p + v.lean.cast(round ? Vec2(offset * turned(v.before, v.turn * i / chords))
+                                            : Vec2(offset / (1 + v.before.dot(v.after)) * (v.before + v.after))));
 }
 
 /// One point as often as the other face has points: they are spread over the halves of the edges beside it, so that the
@@ -253,15 +258,15 @@ TrimmedPath without_loops(PairedPath const& c)
     return trimmed;
 }
 
-PairedPath offset_path(PairedPath const& nominal, double offset, double sagitta)
+PairedPath offset_path(PairedPath const& nominal, double offset, double sagitta, double height)
 {
-    double const step = 2 * std::acos(1 - std::min(0.5, sagitta / offset));
     PairedPath parallel;
     std::vector<std::tuple<std::vector<Vec2>*, std::size_t, std::size_t>> repeated;  // face, first, last
     for (std::size_t i = 1; i + 1 < nominal.size(); ++i) {
-        Vertex const low = vertex(nominal.lower, i);
-        Vertex const up = vertex(nominal.upper, i);
-        int const of_low = chords_around(low, step), of_up = chords_around(up, step), chords = std::max(of_low, of_up);
+        Lean const lean(nominal.lower[i], nominal.upper[i], height);
+        Vertex const low = vertex(nominal.lower, i, lean), up = vertex(nominal.upper, i, lean);
+        int const of_low = chords_around(low, offset, sagitta), of_up = chords_around(up, offset, sagitta);
+        int const chords = std::max(of_low, of_up);
         std::size_t const first = parallel.size();
         add_fan(parallel.lower, nominal.lower[i], low, offset, chords, of_low > 1);
         add_fan(parallel.upper, nominal.upper[i], up, offset, chords, of_up > 1);

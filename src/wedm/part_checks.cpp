@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "checks.hpp"
 #include "passes.hpp"
@@ -30,15 +31,19 @@ WireFailures check_sweep(WireFaces const& faces, WireProgram& program)
         PairedPath const path = pitch_of(pass, program);
         double worst = 0;
         Vec2 place = Vec2::Zero();
-        for (bool const upper : {false, true}) {
-            std::vector<Vec2> const& points = path.face(upper);
-            for (std::size_t i = 0; i < points.size(); ++i) {
-                for (Vec2 const& p : {points[i], Vec2(0.5 * (points[i] + points[i == 0 ? 0 : i - 1]))}) {
-                    double const error = std::abs(part[upper ? 1 : 0].distance(p) - pass.offset);
-                    place = error > worst ? p : place;
-                    worst = std::max(worst, error);
-                }
+        auto const look = [&](Vec2 const& lower, Vec2 const& upper) {
+            Lean const lean(lower, upper, program.machine.thickness);
+            for (bool const in_upper : {false, true}) {
+                Vec2 const& p = in_upper ? upper : lower;
+                double const error = std::abs(part[in_upper ? 1 : 0].distance(p, lean) - pass.offset);
+                place = error > worst ? p : place;
+                worst = std::max(worst, error);
             }
+        };
+        for (std::size_t i = 0; i < path.size(); ++i) {
+            look(path.lower[i], path.upper[i]);
+            if (i > 0)
+                look(0.5 * (path.lower[i] + path.lower[i - 1]), 0.5 * (path.upper[i] + path.upper[i - 1]));
         }
         program.figures.face_error = std::max(program.figures.face_error, worst);
         if (!(worst <= program.tolerance))
@@ -68,7 +73,8 @@ WireFailures check_sections(WireFaces const& faces, std::vector<std::vector<char
             double worst = 0;
             Vec2 where = Vec2::Zero();
             for (std::size_t i = 0; i < between.points.size(); ++i) {
-                double const error = wire.distance(between.points[i]) - pass.offset;
+                Lean const lean(faces.pitch.lower[i], faces.pitch.upper[i], program.machine.thickness);
+                double const error = wire.distance(between.points[i], lean) - pass.offset;
                 double const counted = residual_at[n][i] != 0 ? std::max(0.0, -error) : std::abs(error);
                 where = counted > worst ? between.points[i] : where;
                 worst = std::max(worst, counted);
@@ -100,22 +106,24 @@ double guide_chord_error(PairedPath const& path, std::vector<std::size_t> const&
 
 LargestDistance constant_taper_error(WireFaces const& faces)
 {
-    std::vector<Vec2> const& low = faces.pitch.lower;
-    if (low == faces.pitch.upper)
+    std::vector<Vec2> const &low = faces.pitch.lower, &up = faces.pitch.upper;
+    if (low == up)
         return {};
-    SegmentGrid const upper = neighbourhood(faces.pitch.upper, faces);
-    double const shift = faces.pitch.upper.front().norm() - low.front().norm();
+    SegmentGrid const lower = neighbourhood(low, faces);
+    double const shift = up.front().norm() - low.front().norm();
+    constexpr double reached = 0.999;  // of the shift: what is nearer to another place than its own is cut away
+    double flank = 0, kept = 0;        // length in the lower face, and that of what a taper leaves of it
     LargestDistance worst;
     double before = -1;  // of the edge before; below 0: it is not on the flank
     bool follows_worst = false;
     for (std::size_t i = 1; i < low.size(); ++i) {
         double here = -1;
         if (faces.meshing[i] != 0 && faces.meshing[i - 1] != 0) {
-            Vec2 const out = right_of((low[i] - low[i - 1]).normalized());
-            Vec2 const moved = 0.5 * (low[i - 1] + low[i]) + shift * out;
-            // inside the tip circle of the upper face the tip land, moved as well, has taken it away
-            if (moved.norm() >= faces.pitch.upper.front().norm())
-                here = upper.distance(moved);
+            Vec2 const edge = low[i] - low[i - 1], out = right_of(edge.normalized());
+            Vec2 const from = 0.5 * (low[i - 1] + low[i]), to = 0.5 * (up[i - 1] + up[i]);
+            here = std::abs(std::copysign(lower.distance(to), out.dot(to - from)) - shift);
+            flank += edge.norm();
+            kept += lower.distance(from + shift * out) >= reached * std::abs(shift) ? edge.norm() : 0;
         }
         if (here > worst.value) {
             worst = {here, before >= 0 ? here - before : 0};
@@ -126,7 +134,8 @@ LargestDistance constant_taper_error(WireFaces const& faces)
         }
         before = here;
     }
-    return worst;
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    return kept < flank / 2 ? LargestDistance{unknown, unknown} : worst;
 }
 
 }  // namespace hdconj::wedm

@@ -20,6 +20,11 @@ constexpr double thinnest_wire = 0.02;
 /// Of lengths in advice [1/mm].
 constexpr double told_per_mm = 1e4;
 
+CutRadius cut_radius(WireJob const& job, double offset)
+{
+    return {offset, job.wire.tolerance, job.machine.thickness};
+}
+
 /// The thickest wire on sale, thinner than the one of @p job, that leaves no more than the limit.
 std::optional<double> fitting_wire(WireJob const& job)
 {
@@ -50,7 +55,7 @@ std::vector<std::size_t> moves_along(WireJob const& job, PairedPath const& fine)
 /// Least distance of what @p pass leaves from where the teeth come, if it is above the tolerance.
 std::optional<double> way_of_teeth(WireJob const& job, PitchPass const& pass, WireFaces const& reached)
 {
-    double const way = way_to_uncut(job.faces, pass.path, pass.offset, job.wire.tolerance, reached);
+    double const way = way_to_uncut(job.faces, pass.path, cut_radius(job, pass.offset), reached);
     double const told = std::floor(way * told_per_mm) / told_per_mm;
     return told > job.wire.tolerance ? std::optional(told) : std::nullopt;
 }
@@ -66,11 +71,11 @@ PitchPass pitch_pass(WireJob const& job, double wire_diameter, double stock)
     pass.offset = wire_diameter / 2 + job.wire.spark_gap + stock;
     PairedPath const contour{with_neighbours(faces.pitch.lower, faces, 1),
                              with_neighbours(faces.pitch.upper, faces, 1)};
-    PairedPath const fine = offset_path(contour, pass.offset, share_of_arcs * tolerance);
+    PairedPath const fine = offset_path(contour, pass.offset, share_of_arcs * tolerance, job.machine.thickness);
     std::vector<std::size_t> const kept = moves_along(job, fine);
     pass.path = taken(fine, kept);
     pass.guide_chord = guide_chord_error(fine, kept, job.machine);
-    pass.uncut = uncut_of(faces, pass.path, pass.offset, tolerance);
+    pass.uncut = uncut_of(faces, pass.path, cut_radius(job, pass.offset));
     return pass;
 }
 

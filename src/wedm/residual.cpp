@@ -9,11 +9,22 @@
 namespace hdconj::wedm {
 namespace {
 
-std::vector<double> heights_of(WireFaces const& faces, PairedPath const& wire, double offset, double tolerance,
-                               bool upper)
+/// How the wire leans that makes each point of one pitch, with one more point of each neighbour.
+std::vector<Lean> leans_of(WireFaces const& faces, double height)
+{
+    auto const lower = with_neighbours(faces.pitch.lower, faces, 1);
+    auto const upper = with_neighbours(faces.pitch.upper, faces, 1);
+    std::vector<Lean> leans;
+    for (std::size_t i = 0; i < lower.size(); ++i)
+        leans.emplace_back(lower[i], upper[i], height);
+    return leans;
+}
+
+std::vector<double> heights_of(WireFaces const& faces, PairedPath const& wire, CutRadius const& cut, bool upper)
 {
     return uncut_heights(with_neighbours(faces.pitch.face(upper), faces, 1),
-                         with_neighbours(wire.face(upper), faces, wire.size() - 1), offset, tolerance);
+                         with_neighbours(wire.face(upper), faces, wire.size() - 1), cut.offset, cut.tolerance,
+                         leans_of(faces, cut.height));
 }
 
 /// Adds a residual for each run of points of a face above which material is left. A run ends where flank and root meet.
@@ -53,12 +64,12 @@ std::vector<char> widened(std::vector<char> const& narrow)
 }  // namespace
 
 std::vector<double> uncut_heights(std::vector<Vec2> const& nominal, std::vector<Vec2> const& wire, double offset,
-                                  double tolerance)
+                                  double tolerance, std::vector<Lean> const& leans)
 {
     SegmentGrid const grid(wire, false);
     std::vector<double> heights(nominal.size(), 0.0);
     for (std::size_t i = 1; i + 1 < nominal.size(); ++i) {
-        double const height = grid.distance(nominal[i]) - offset;
+        double const height = grid.distance(nominal[i], leans.empty() ? Lean() : leans[i]) - offset;
         heights[i] = height > tolerance ? height : 0;
     }
     return heights;
@@ -81,24 +92,27 @@ Residual const* Uncut::highest() const
     return found == residuals.end() ? nullptr : &*found;
 }
 
-Uncut uncut_of(WireFaces const& faces, PairedPath const& wire, double offset, double tolerance)
+Uncut uncut_of(WireFaces const& faces, PairedPath const& wire, CutRadius const& cut)
 {
     Uncut uncut;
     uncut.at.assign(faces.pitch.size(), 0);
     for (bool const upper : {false, true})
-        add_runs(faces, heights_of(faces, wire, offset, tolerance, upper), upper, uncut);
+        add_runs(faces, heights_of(faces, wire, cut, upper), upper, uncut);
     uncut.at = widened(uncut.at);
     return uncut;
 }
 
-double way_to_uncut(WireFaces const& faces, PairedPath const& wire, double offset, double tolerance,
-                    WireFaces const& reached)
+double way_to_uncut(WireFaces const& faces, PairedPath const& wire, CutRadius const& cut, WireFaces const& reached)
 {
+    double const longest =
+        std::ranges::max(leans_of(faces, cut.height), {}, [](Lean const& lean) { return lean.secant(); }).secant();
     double way = std::numeric_limits<double>::infinity();
     for (bool const upper : {false, true}) {
         std::vector<Vec2> const& teeth = reached.pitch.face(upper);
-        way = std::min(way, way_to_residual(with_neighbours(faces.pitch.face(upper), faces, 1),
-                                            heights_of(faces, wire, offset, tolerance, upper),
+        std::vector<double> in_face = heights_of(faces, wire, cut, upper);
+        for (double& height : in_face)
+            height *= longest;
+        way = std::min(way, way_to_residual(with_neighbours(faces.pitch.face(upper), faces, 1), in_face,
                                             with_neighbours(teeth, faces, teeth.size() - 1)));
     }
     return way;

@@ -6,6 +6,7 @@
 
 #include "faces.hpp"
 #include "hdconj/wedm.hpp"
+#include "lean.hpp"
 
 namespace hdconj::wedm {
 
@@ -18,8 +19,9 @@ namespace hdconj::wedm {
 /// @param wire       path of the wire's centre, at least 2 points, reaching beyond both ends of @p nominal
 /// @param offset     of the path from @p nominal: wire radius, spark gap and stock
 /// @param tolerance  heights within it are 0
+/// @param leans      of the wire at the points of @p nominal: distances are those seen along it; empty: it is upright
 [[nodiscard]] std::vector<double> uncut_heights(std::vector<Vec2> const& nominal, std::vector<Vec2> const& wire,
-                                                double offset, double tolerance);
+                                                double offset, double tolerance, std::vector<Lean> const& leans = {});
 
 /// Least distance of what is left, where @p heights are not 0, from the line @p reached [mm]: a lower bound. Infinity
 /// where nothing is left, not above 0 where they may meet.
@@ -40,11 +42,19 @@ struct Uncut
     [[nodiscard]] Residual const* highest() const;
 };
 
-/// What a wire leaves whose centre runs along @p wire, one pitch, at @p offset from @p faces.
-[[nodiscard]] Uncut uncut_of(WireFaces const& faces, PairedPath const& wire, double offset, double tolerance);
+/// What uncut_heights() asks of a pass. Lengths in mm.
+struct CutRadius
+{
+    double offset = 0;     ///< of the path from the part
+    double tolerance = 0;  ///< heights within it are 0
+    double height = 0;     ///< of the upper face above the lower one
+};
+
+/// What a wire leaves whose centre runs along @p wire, one pitch of @p faces.
+[[nodiscard]] Uncut uncut_of(WireFaces const& faces, PairedPath const& wire, CutRadius const& cut);
 
 /// Least distance of that from the faces @p reached [mm], as way_to_residual().
-[[nodiscard]] double way_to_uncut(WireFaces const& faces, PairedPath const& wire, double offset, double tolerance,
+[[nodiscard]] double way_to_uncut(WireFaces const& faces, PairedPath const& wire, CutRadius const& cut,
                                   WireFaces const& reached);
 
 }  // namespace hdconj::wedm

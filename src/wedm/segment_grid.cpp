@@ -25,12 +25,12 @@ bool between(Vec2 const& a, Vec2 const& b, Vec2 const& p)
 
 }  // namespace
 
-double distance_to_segment(Vec2 const& p, Vec2 const& a, Vec2 const& b)
+double distance_to_segment(Vec2 const& p, Vec2 const& a, Vec2 const& b, Lean const& lean)
 {
-    Vec2 const along = b - a;
+    Vec2 const along = lean.seen(b - a), to_p = lean.seen(p - a);
     double const length = along.squaredNorm();
-    double const share = length > 0 ? std::clamp((p - a).dot(along) / length, 0.0, 1.0) : 0;
-    return (p - a - share * along).norm();
+    double const share = length > 0 ? std::clamp(to_p.dot(along) / length, 0.0, 1.0) : 0;
+    return (to_p - share * along).norm();
 }
 
 SegmentGrid::SegmentGrid(std::vector<Vec2> points, bool closed)
@@ -78,19 +78,14 @@ void SegmentGrid::cells_of(std::size_t segment, Body&& body) const
             body(number(x, y));
 }
 
-double SegmentGrid::distance(Vec2 const& p, std::size_t segment) const
-{
-    return distance_to_segment(p, points_[segment], end(segment));
-}
-
-double SegmentGrid::distance(Vec2 const& p) const
+double SegmentGrid::distance(Vec2 const& p, Lean const& lean) const
 {
     Cell const home = cell_of(p);
     double best = std::numeric_limits<double>::infinity();
     int const last = std::max(columns_, rows_);
     for (int ring = 0; ring <= last; ++ring) {
         // for a point outside, the distance from its home cell is less than its own
-        if (best <= (ring - 1) * size_)
+        if (best * lean.secant() <= (ring - 1) * size_)
             break;
         for (int y = std::max(0, home.y - ring); y <= std::min(rows_ - 1, home.y + ring); ++y) {
             bool const whole = y == home.y - ring || y == home.y + ring;
@@ -99,7 +94,7 @@ double SegmentGrid::distance(Vec2 const& p) const
                     continue;
                 std::size_t const cell = number(x, y);
                 for (std::size_t m = begin_[cell]; m < begin_[cell + 1]; ++m)
-                    best = std::min(best, distance(p, members_[m]));
+                    best = std::min(best, distance_to_segment(p, points_[members_[m]], end(members_[m]), lean));
             }
         }
     }

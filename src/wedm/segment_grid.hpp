@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hdconj/base/vec2.hpp"
+#include "lean.hpp"
 
 namespace hdconj::wedm {
 
@@ -17,8 +18,8 @@ class SegmentGrid
     /// @param closed  whether the last point is joined to the first
     SegmentGrid(std::vector<Vec2> points, bool closed);
 
-    /// Distance of @p p from the nearest segment [mm].
-    [[nodiscard]] double distance(Vec2 const& p) const;
+    /// Distance of @p p from the nearest segment, as it is seen along @p lean [mm].
+    [[nodiscard]] double distance(Vec2 const& p, Lean const& lean = {}) const;
 
     /// Two segments that are not neighbours and touch or cross; nothing found: both numbers 0.
     [[nodiscard]] std::pair<std::size_t, std::size_t> crossing() const;
@@ -37,7 +38,6 @@ class SegmentGrid
     {
         return points_[segment + 1 == points_.size() ? 0 : segment + 1];
     }
-    [[nodiscard]] double distance(Vec2 const& p, std::size_t segment) const;
     [[nodiscard]] bool touch(std::size_t a, std::size_t b) const;
     template <class Body>
     void cells_of(std::size_t segment, Body&& body) const;
@@ -52,7 +52,7 @@ class SegmentGrid
     std::vector<std::size_t> members_;  // segments whose box meets the cell
 };
 
-/// Distance of @p p from the segment a b [mm].
-[[nodiscard]] double distance_to_segment(Vec2 const& p, Vec2 const& a, Vec2 const& b);
+/// Distance of @p p from the segment a b, as it is seen along @p lean [mm].
+[[nodiscard]] double distance_to_segment(Vec2 const& p, Vec2 const& a, Vec2 const& b, Lean const& lean = {});
 
 }  // namespace hdconj::wedm

@@ -48,7 +48,7 @@ void measure_wire(WireProgram const& program, WireFigures& figures)
         }
     }
     figures.tilt = std::atan2(lean, program.machine.thickness);
-    figures.ellipse = program.wire_diameter / 2 * (1 / std::cos(figures.tilt) - 1);
+    figures.ellipse = (program.wire_diameter / 2 + program.spark_gap) * (1 / std::cos(figures.tilt) - 1);
 }
 
 void measure_residuals(WireProgram const& program, WireFigures& figures)

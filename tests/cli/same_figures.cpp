@@ -386,6 +386,10 @@ TEST_CASE("wedm: text and JSON have the same figures and errors", "[wedm][figure
     check_line(text, "  error of the contours", {number(all, "contour_error_um")});
     check_line(text, "  travel", {number(all, "travel_mm"), number(all, "uv_travel_mm")});
     check_line(text, "  cut off the faces", {number(checks, "face_error_um"), number(checks, "tolerance_um")});
+    for (auto const& file : all.at("files"))
+        check_line(
+            text, "  " + file.at("name").get<std::string>() + " ",
+            {number(file, "blocks"), number(file, "bytes"), number(file, "drift_um"), number(file, "cut_error_um")});
     check_line(text, "  chord at the guides", {number(checks, "guide_chord_um")});
     check_line(text, "  cut between the faces", {number(checks, "middle_error_um")});
     check_line(text, "  constant taper",

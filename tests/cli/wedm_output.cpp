@@ -160,6 +160,40 @@ TEST_CASE("wedm gives the same figures and files for any number of threads and f
     }
 }
 
+TEST_CASE("wedm of a result with cases cuts the ring of its scene, and says what the ring of the case has", "[wedm]")
+{
+    TemporaryFolder const folder;
+    std::string const scene = "--set slices.count=3 --set tilt.angle_deg=0.2 ";
+    REQUIRE(hdconj::test::hdconj_run("contact --quiet --no-errors -o c.h5 " + scene, folder.path()).status == 0);
+    auto const own = json::parse(wedm(scene + "-o a --json --quiet", folder).out);
+    auto const from = json::parse(wedm("--from c.h5 -o b --json --quiet", folder).out);
+    for (std::string const face : {"lower_face", "upper_face"})
+        CHECK(from.at(face) == own.at(face));
+    CHECK(content(folder / "a" / "type-50_path.csv") == content(folder / "b" / "type-50_path.csv"));
+    CHECK(own.at("warnings").empty());
+    REQUIRE(from.at("warnings").size() == 1);
+    // contact raises both: the flanks would interfere, and the tip circle cuts in
+    auto const warning = from.at("warnings")[0].get<std::string>();
+    CHECK_THAT(warning, ContainsSubstring("c.h5 holds the ring of a case of contact") &&
+                            ContainsSubstring("a side clearance of 0.009") &&
+                            ContainsSubstring("in place of 0.000000 mm (+9.") &&
+                            ContainsSubstring("a tip circle at z = 0 of 25.033") &&
+                            ContainsSubstring("circular_spline.inner_radius = 25.033") &&
+                            ContainsSubstring("um off the one that is cut") && !ContainsSubstring("a tilt of"));
+    CHECK_THAT(content(folder / "b" / "type-50_summary.txt"), ContainsSubstring("WARNING: " + warning));
+    CHECK_THAT(content(folder / "b" / "type-50_setup.txt"), ContainsSubstring("WARNING  c.h5 holds the ring"));
+}
+
+TEST_CASE("wedm --strict refuses a ring whose tilt takes the tip circle into the flexspline", "[wedm]")
+{
+    TemporaryFolder const folder;
+    auto const done = wedm("--tilt 10 --strict --json --quiet -o a", folder);
+    CHECK(done.status == 1);
+    auto const notes = json::parse(done.out).at("judgement").dump();
+    CHECK_THAT(notes, ContainsSubstring("late-mesh") && ContainsSubstring("the tilt makes the tip circle"));
+    CHECK(wedm("--tilt 0.2 --strict --quiet -o b", folder).status == 0);
+}
+
 TEST_CASE("wedm without a tilt writes U as X and V as Y byte for byte", "[wedm]")
 {
     TemporaryFolder const folder;

@@ -109,6 +109,7 @@ inline constexpr double largest_bearing_factor = 100;  ///< Palmgren's f0
 inline constexpr double least_viscosity = 1;           ///< [mm^2/s]
 inline constexpr double largest_viscosity = 1e5;       ///< [mm^2/s]
 inline constexpr int most_passes = 20;                 ///< of the wire
+inline constexpr double largest_workpiece = 1000;      ///< [mm], thickness that a wire machine holds
 inline constexpr int fewest_decimals = 2;              ///< of rounded wire coordinates in mm
 inline constexpr int most_decimals = 9;
 inline constexpr int most_revolution_angles = 10000;  ///< angles of the wave generator over a revolution

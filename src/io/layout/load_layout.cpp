@@ -278,7 +278,10 @@ void layout::write_result(Writer const& root, Measurement const& measured)
 void layout::write_result(Writer const& root, LoadStudy const& study, Measurement const* measured)
 {
     write_solution(root, study.solution);
-    root.group("circular_spline", [&](Writer const& place) { write_spline_and_surface(place, study.solution); });
+    root.group("circular_spline", [&](Writer const& place) {
+        write_spline_and_surface(place, study.solution);
+        place.attribute("side_clearance_mm", study.side_clearance);
+    });
     root.group("load", [&](Writer const& load) {
         write_attributes(load, figures::load_study_figures(), study);
         write_load_cases(load, study.cases, study.balls);

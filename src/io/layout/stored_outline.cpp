@@ -55,7 +55,14 @@ StoredOutline stored_outline(StoredGroup const& result)
 {
     require(result.attribute<std::string>("format") == "hdconj", "it is of another program");
     require(result.attribute<int>("format_version") <= format_version, "it was written by a newer version");
-    return {result.attribute<std::string>("scene"), outline_of(*result.group("circular_spline"))};
+    auto const spline = result.group("circular_spline");
+    StoredOutline stored{result.attribute<std::string>("scene"), outline_of(*spline), {}, {}};
+    for (auto const& [group, verb] : {std::pair("contact", "contact"), {"load", "load"}, {"running", "run"}})
+        if (result.holds(group))
+            stored.verb = verb;
+    if (spline->has_attribute("side_clearance_mm"))
+        stored.side_clearance = spline->attribute<double>("side_clearance_mm");
+    return stored;
 }
 
 }  // namespace hdconj::io::layout

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <sstream>
+#include <utility>
 
 #include "figures/wire_figures.hpp"
 #include "summary_page.hpp"
@@ -103,27 +105,52 @@ SheetTable pass_table(WireSetUps const& programs)
 /// One row for each dialect.
 SheetTable file_table(std::vector<WireFile> const& files)
 {
-    SheetTable table{"Files", {{"dialect", "files", "", "drift um", "read back by"}}};
+    SheetTable table{"Files", {{"dialect", "files", "", "cut um", "read back by"}}};
     for (std::size_t i = 0; i < files.size();) {
         std::size_t next = i;
         while (next < files.size() && files[next].dialect == files[i].dialect)
             ++next;
+        Told const told(figures::wire_file_figures(), files[i]);
         table.rows.push_back(
             {files[i].dialect, files[i].name, next > i + 1 ? fmt::format("and {} more", next - i - 1) : "",
-             Told(figures::wire_file_figures(), files[i])("drift"),
+             told("cut_error"),
              files[i].verified() ? std::string(files[i].verified_by) : "not verified on hardware: run it dry first"});
         i = next;
     }
     return table;
 }
 
-SheetTable check_table(WireSetUps const& programs, MeasuredProgram const& first)
+/// Lines of @p text, broken at blanks, that the page has room for.
+std::vector<std::string> broken(std::string const& text)
+{
+    constexpr std::size_t longest = 90;
+    std::vector<std::string> lines(1);
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        if (lines.back().size() + 1 + word.size() > longest)
+            lines.emplace_back();
+        lines.back() += (lines.back().empty() ? "" : " ") + word;
+    }
+    return lines;
+}
+
+/// What the cut of any file may be off the faces.
+std::string cut_text(MeasuredProgram const& first, std::vector<WireFile> const& files)
+{
+    Told const told(figures::wire_check_figures(), first);
+    auto const worst = std::ranges::max_element(files, {}, &WireFile::cut_error);
+    std::string const text = "at most " + told.with_unit("face_error") + " off the faces, corners apart; ";
+    std::string const drift = worst == files.end() ? ""
+                                                   : Told(figures::wire_file_figures(), *worst).with_unit("cut_error") +
+                                                         " with the drift of files; ";
+    return text + drift + "tolerance " + told.with_unit("tolerance");
+}
+
+SheetTable check_table(WireSetUps const& programs, MeasuredProgram const& first, std::vector<WireFile> const& files)
 {
     SheetTable table{"Known before cutting", {}};
-    if (first.program.tolerance > 0) {
-        Told const told(figures::wire_check_figures(), first);
-        table.rows.push_back({"cut", told.with_unit("face_error") + " off the faces at most, corners apart"});
-    }
+    if (first.program.tolerance > 0)
+        table.rows.push_back({"cut", cut_text(first, files)});
     double highest = 0;
     for (WireProgram const& program : programs)
         for (Residual const& residual : program.residuals)
@@ -132,8 +159,12 @@ SheetTable check_table(WireSetUps const& programs, MeasuredProgram const& first)
                                                                "wire cannot reach",
                                                                highest * per_um)
                                                  : "the wire reaches all of the contour"});
-    std::size_t const warnings = first.program.warnings.size();
-    table.rows.push_back({"warnings", warnings > 0 ? fmt::format("{}, see the summary", warnings) : "none"});
+    auto const warnings = figures::wire_warnings(first.program, files);
+    for (auto const& warning : warnings)
+        for (std::string label = "WARNING"; auto const& line : broken(warning))
+            table.rows.push_back({std::exchange(label, ""), line});
+    if (warnings.empty())
+        table.rows.push_back({"warnings", "none"});
     return table;
 }
 
@@ -170,7 +201,7 @@ SetupSheet setup_sheet(WireSetUps const& programs, std::vector<WireFile> const& 
     sheet.tables.push_back(pass_table(programs));
     if (!files.empty())
         sheet.tables.push_back(file_table(by_dialect(files)));
-    sheet.tables.push_back(check_table(programs, first));
+    sheet.tables.push_back(check_table(programs, first, files));
     return sheet;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 
 #include "figures/number_text.hpp"
 #include "figures/wire_figures.hpp"
@@ -10,7 +11,7 @@
 namespace hdconj::report {
 namespace {
 
-constexpr double negligible = 1e-4;  // [mm] what the wire's ellipse may matter before it is named
+constexpr double negligible = 1e-4;  // [mm] an ellipse of the wire that is not worth a line
 
 using figures::MeasuredProgram;
 
@@ -47,11 +48,9 @@ void write_wire(Page& page, MeasuredProgram const& first)
         page.figure(rows["cup_error"].text.label, "+- " + told.with_unit("cup_error"),
                     "of the computed cup and bearing; the contours move by as much");
     }
-    if (found.ellipse > negligible) {
-        page.line(
-            "  WARNING: a wire tilted this much cuts an ellipse that is {} wider in the plane of a face than assumed",
-            figures::um_text(found.ellipse));
-    }
+    if (found.ellipse > negligible)
+        line("wire_ellipse",
+             "that a leaning wire cuts in the plane of a face, longer than wide; the path allows for it");
 }
 
 void write_passes(Page& page, WireProgram const& program, WireFigures const& found)
@@ -134,8 +133,12 @@ void write_checks(Page& page, MeasuredProgram const& first)
         line("middle_error", "off the true sections, apart from residual material");
         line("ruling_error", fmt::format("of the surface off straight lines ({}); matched edges turn by {}",
                                          to_string(program.surface), told.with_unit("matched_edges_turn")));
-        line("constant_taper_error", fmt::format("+- {}; what G51 would be wrong by on the flanks of the upper face",
-                                                 told.with_unit("constant_taper_known_to")));
+        if (std::isnan(found.constant_taper_error))
+            page.figure(rows["constant_taper_error"].text.label, "not determined", "G51 would cut the flanks away");
+        else
+            line("constant_taper_error",
+                 fmt::format("+- {}; what G51 would be wrong by on the flanks of the upper face",
+                             told.with_unit("constant_taper_known_to")));
     }
     page.figure(travels["travel"], first,
                 "of a guide along an axis; upper against lower guide " + Told(travels, first).with_unit("uv_travel"));
@@ -148,13 +151,15 @@ void write_wire_files_list(Page& page, std::vector<WireFile> const& files)
     std::size_t widest = 0;
     for (auto const& file : files)
         widest = std::max(widest, file.name.size());
-    page.line("\n  {:<{}}{:>9}{:>11}{:>12}   {}", "file", widest, "blocks", "bytes", "drift um", "read by");
+    page.line("\n  {:<{}}{:>9}{:>11}{:>10}{:>9}   {}", "file", widest, "blocks", "bytes", "drift um", "cut um",
+              "read by");
     for (auto const& file : files) {
         Told const told(figures::wire_file_figures(), file);
-        page.line("  {:<{}}{:>9}{:>11}{:>12}   {}", file.name, widest, told("blocks"), told("bytes"), told("drift"),
-                  file.verified() ? file.verified_by : "not verified on hardware");
+        page.line("  {:<{}}{:>9}{:>11}{:>10}{:>9}   {}", file.name, widest, told("blocks"), told("bytes"),
+                  told("drift"), told("cut_error"), file.verified() ? file.verified_by : "not verified on hardware");
     }
     page.line("  drift: largest distance of the path read back from the exact one, all along it, both faces");
+    page.line("  cut: what the cut off the faces and the drift come to, at most");
 }
 
 }  // namespace
@@ -174,7 +179,7 @@ std::string summary_text(WireSetUps const& programs, std::vector<WireFile> const
     }
     report::write_residuals(page, programs, first);
     report::write_checks(page, first);
-    for (auto const& warning : first.program.warnings)
+    for (auto const& warning : figures::wire_warnings(first.program, files))
         page.line("  WARNING: {}", warning);
     report::write_judgement(page, first.program.judgement);
     report::write_wire_files_list(page, files);

@@ -111,7 +111,8 @@ WirePost post();
 /// The stop of @p program with two digits: "M00" or "M01".
 [[nodiscard]] std::string two_digit_stop(WireProgram const& program);
 
-/// A text that may stand in a comment of every dialect that has comments: ASCII, no brackets, cut to @p longest.
+/// A text that may stand in a comment of every dialect that has comments: ASCII, no brackets, no %
+/// (the end of a file to controls), cut to @p longest.
 [[nodiscard]] std::string comment_text(std::string const& text, std::size_t longest);
 
 /// @throws NumericalError: nothing is written because of @p cause at @p place

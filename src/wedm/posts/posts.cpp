@@ -71,7 +71,7 @@ std::string comment_text(std::string const& text, std::size_t longest)
 {
     std::string result;
     for (char const c : text.substr(0, longest)) {
-        bool const kept = c >= ' ' && c <= '~' && c != '(' && c != ')' && c != ';';
+        bool const kept = c >= ' ' && c <= '~' && c != '(' && c != ')' && c != ';' && c != '%';
         result += kept ? c : '-';
     }
     return result;

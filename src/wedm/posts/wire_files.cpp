@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <sstream>
 
 #include "file/atomic_folder.hpp"
 #include "file_checks.hpp"
@@ -21,6 +23,14 @@ namespace {
 bool is_in(auto const& names, std::string_view name)
 {
     return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The names in @p text between blanks and commas.
+std::vector<std::string> several_names(std::string text)
+{
+    std::ranges::replace(text, ',', ' ');
+    std::istringstream words(text);
+    return {std::istream_iterator<std::string>(words), {}};
 }
 
 std::vector<wedm::WirePost> chosen(WireSetUps const& programs, std::vector<std::string> const& dialects)
@@ -124,7 +134,8 @@ std::vector<WireFile> write_one(file::AtomicFolder const& folder, wedm::WirePost
     std::vector<WireFile> files;
     for (auto const& each : made)
         files.push_back({std::string(post.dialect.name), post.dialect.verified_by, each.name, program.set_up.number,
-                         each.pass, each.blocks, each.text.size(), post.unit(program), drift});
+                         each.pass, each.blocks, each.text.size(), post.unit(program), drift,
+                         program.figures.face_error + drift});
     return files;
 }
 
@@ -145,6 +156,14 @@ Faults check_dialects(std::vector<std::string> const& dialects, std::string cons
     for (auto const& name : dialects) {
         if (is_in(known, name))
             continue;
+        if (auto const several = several_names(name); several.size() > 1) {
+            bool const option = place.starts_with("--");
+            faults.push_back(
+                {place, 0, name,
+                 option ? "commas stand between several dialects" : "blanks stand between several dialects",
+                 fmt::format("write {}", fmt::join(several, option ? "," : " "))});
+            continue;
+        }
         auto const meant = nearest(name, known);
         faults.push_back({place, 0, name, "no dialect is called so",
                           meant ? "write " + std::string(*meant) : fmt::format("known: {}", fmt::join(known, ", "))});

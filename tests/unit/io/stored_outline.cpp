@@ -4,9 +4,11 @@
 #include "hdconj/contact_files.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/file/atomic_file.hpp"
+#include "hdconj/load_files.hpp"
 #include "hdconj/result_files.hpp"
 #include "support/catch.hpp"
 #include "support/sample_contact_study.hpp"
+#include "support/sample_load_study.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace hdconj::test::stored_outline_cases {
@@ -40,9 +42,25 @@ TEST_CASE("a stored outline is read back bit for bit, with its scene", "[wire]")
     auto const one = read_outline(folder / "a.h5");
     CHECK(one.scene == solution.scene.text);
     check_same(one.outline, solution.circular_spline);
-    auto const study = sample::contact_study(5);
-    write_hdf5(study, folder / "b.h5");
-    check_same(read_outline(folder / "b.h5").outline, study.solution.circular_spline);
+    CHECK(one.verb.empty());
+    CHECK_FALSE(one.side_clearance);
+}
+
+TEST_CASE("a stored outline of a case says so, and its side clearance", "[wire]")
+{
+    test::TemporaryFolder const folder;
+    auto contact = sample::contact_study(5);
+    auto load = sample::load_study();
+    contact.side_clearance = 0.03;
+    load.side_clearance = 0.0573;
+    write_hdf5(contact, folder / "contact.h5");
+    write_hdf5(load, folder / "load.h5");
+    auto const of_contact = read_outline(folder / "contact.h5"), of_load = read_outline(folder / "load.h5");
+    check_same(of_contact.outline, contact.solution.circular_spline);
+    CHECK(of_contact.verb == "contact");
+    CHECK(of_contact.side_clearance == 0.03);
+    CHECK(of_load.verb == "load");
+    CHECK(of_load.side_clearance == 0.0573);
 }
 
 TEST_CASE("what is no result file is refused with its name", "[wire]")

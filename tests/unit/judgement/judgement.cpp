@@ -225,6 +225,23 @@ TEST_CASE("tips leave the tip circle where the cam says", "[judgement]")
     CHECK_FALSE(note_of(judge(printed(note->set)), NoteCode::late_mesh));
 }
 
+TEST_CASE("a tilt that makes the tip circle of one end too small is a warning", "[judgement]")
+{
+    auto const tilted = [](std::string const& degrees) {
+        return builtin_scene({"slices.count=3", "tilt.angle_deg=" + degrees});
+    };
+    CHECK_FALSE(note_of(judge(tilted("0.2")), NoteCode::late_mesh));
+    for (std::string const degrees : {"10", "-10"}) {
+        auto const note = note_of(judge(tilted(degrees)), NoteCode::late_mesh);
+        REQUIRE(note);
+        CHECK(note->severity == Severity::warning);
+        CHECK_THAT(note->cause, ContainsSubstring("the tilt makes the tip circle of one end 0.617 mm smaller"));
+        CHECK_THAT(note->advice, ContainsSubstring("or tilt"));
+    }
+    // one slice has no tilt
+    CHECK_FALSE(note_of(judge(builtin_scene({"tilt.angle_deg=10"})), NoteCode::late_mesh));
+}
+
 TEST_CASE("flank contact is the angle between the ends of the flank of the tooth space", "[judgement]")
 {
     Solution const solution = solve(printed());

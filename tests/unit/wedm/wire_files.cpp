@@ -211,6 +211,33 @@ TEST_CASE("no dialect is written whose last digit is too coarse for the toleranc
     CHECK(texts_of(program).contains("ring_lower_pass1.3b"));
 }
 
+TEST_CASE("what the cut of a rounded file may be off the faces holds the path's error and the drift, in all outputs",
+          "[wire]")
+{
+    TemporaryFolder const folder;
+    auto program = sample::wire_ring();
+    program.tolerance = 0.0008;
+    program.figures.face_error = 0.00064;
+    auto const files = write_wire_files({program}, folder / "out", {"csv", "3b"});
+    auto const rounded = std::find_if(files.begin(), files.end(), [](WireFile const& f) { return f.dialect == "3b"; });
+    REQUIRE(rounded != files.end());
+    CHECK(rounded->drift > 0.0003);
+    for (auto const& file : files)
+        CHECK(file.cut_error == program.figures.face_error + file.drift);
+    auto const summary = nlohmann::json::parse(summary_json(WireSetUps{program}, files));
+    REQUIRE(summary.at("warnings").size() == 1);  // csv is not rounded and keeps the tolerance
+    auto const warning = summary.at("warnings")[0].get<std::string>();
+    CHECK_THAT(warning, ContainsSubstring("dialect 3b") && ContainsSubstring("wedm.tolerance = 0.8 um"));
+    CHECK(summary.at("files").back().at("cut_error_um") == Approx(1000 * rounded->cut_error));
+    CHECK_THAT(content(folder / "out" / "ring_summary.txt"), ContainsSubstring("WARNING: " + warning));
+    for (std::string const sheet : {"ring_setup.txt", "ring_setup.svg"}) {
+        auto const text = content(folder / "out" / sheet);
+        CHECK_THAT(text, ContainsSubstring("dialect 3b") && ContainsSubstring("WARNING"));
+        CHECK_THAT(text, ContainsSubstring("at most 0.64 um off the faces, corners apart; 1.") &&
+                             ContainsSubstring(" um with the drift of files; tolerance 0.8 um"));
+    }
+}
+
 TEST_CASE("a setup sheet says in text and picture what is clamped and cut", "[wire]")
 {
     TemporaryFolder const folder;
@@ -342,13 +369,16 @@ TEST_CASE("a file longer than its controllers take is left out, and refused wher
 TEST_CASE("a text of a part's name cannot break out of its comment", "[wire]")
 {
     auto program = sample::square_hole();
-    program.name = "a) G0 X99 (\n;\xc3\xa9 ../b";
+    program.name = "a) G0 X99 (\n;\xc3\xa9 %../b";
     auto const texts = texts_of(program);
     for (auto const& [name, text] : texts) {
         INFO(name);
         CHECK(name.find('/') == std::string::npos);
         CHECK(lines_with(text, "X99").size() <= 1);
         CHECK(lines_with(text, ") G0 X99").empty());
+        if (!name.ends_with(".dxf") && !name.ends_with(".csv"))
+            for (auto const& line : lines_with(text, "%"))
+                CHECK(line == "%");  // the end of a file, wherever it stands
     }
 }
 
