@@ -141,44 +141,59 @@ double von_mises(Stress const& s)
     return std::sqrt(normal / 2 + 3 * s.tail<3>().squaredNorm());
 }
 
-std::vector<SectionPoint> gauss_points(SectionMesh const& mesh)
+namespace {
+
+/// Weights of the four reduced Gauss points of an element at (xi, eta).
+std::array<double, 4> gauss_weights(Vec2 const& at)
 {
-    double const g = std::sqrt(1.0 / 3);
-    std::vector<SectionPoint> points;
-    for (std::size_t e = 0; e < mesh.elements.size(); ++e)
-        for (double const eta : {-g, g})
-            for (double const xi : {-g, g})
-                points.push_back({e, xi, eta});
-    return points;
+    double const x = std::sqrt(3.0) * at.x(), y = std::sqrt(3.0) * at.y();
+    return {(1 - x) * (1 - y) / 4, (1 + x) * (1 - y) / 4, (1 - x) * (1 + y) / 4, (1 + x) * (1 + y) / 4};
 }
 
-Eigen::MatrixXd gauss_stress(SectionMesh const& mesh, HarmonicField const& field, std::vector<double> const& phi,
-                             int threads)
+}  // namespace
+
+Eigen::MatrixXd recovered_stress(SectionMesh const& mesh, HarmonicField const& field, std::vector<Vec2> const& places,
+                                 std::vector<double> const& phi, int threads)
 {
-    std::vector<SectionPoint> const points = gauss_points(mesh);
-    Eigen::MatrixXd result(static_cast<Index>(phi.size()), static_cast<Index>(points.size()));
+    double const g = std::sqrt(1.0 / 3);
+    auto const count = static_cast<Index>(places.size()), angles = static_cast<Index>(phi.size());
+    Eigen::MatrixXd result(angles, count * static_cast<Index>(mesh.elements.size()));
     HarmonicWaves const waves(field.harmonics, phi, threads);
-    constexpr std::size_t worth_a_thread = 64;
-    parallel_for(points.size(), threads, worth_a_thread, [&](std::size_t i) {
-        StressAmplitudes const at = stress_amplitudes(mesh, field, points[i]);
-        Eigen::Matrix<double, 6, Eigen::Dynamic> stress(6, result.rows());
-        stress.topRows<4>().noalias() = at.even.topRows<4>() * waves.cosine + at.odd.topRows<4>() * waves.sine;
-        stress.bottomRows<2>().noalias() = at.even.bottomRows<2>() * waves.sine - at.odd.bottomRows<2>() * waves.cosine;
-        for (Index j = 0; j < result.rows(); ++j)
-            result(j, static_cast<Index>(i)) = von_mises(stress.col(j));
+    constexpr std::size_t worth_a_thread = 16;
+    parallel_for(mesh.elements.size(), threads, worth_a_thread, [&](std::size_t e) {
+        std::array<StressAmplitudes, 4> const gauss{
+            stress_amplitudes(mesh, field, {e, -g, -g}), stress_amplitudes(mesh, field, {e, g, -g}),
+            stress_amplitudes(mesh, field, {e, -g, g}), stress_amplitudes(mesh, field, {e, g, g})};
+        for (std::size_t p = 0; p < places.size(); ++p) {
+            std::array<double, 4> const weight = gauss_weights(places[p]);
+            StressAmplitudes at{weight[0] * gauss[0].even, weight[0] * gauss[0].odd};
+            for (std::size_t i = 1; i < gauss.size(); ++i) {
+                at.even += weight[i] * gauss[i].even;
+                at.odd += weight[i] * gauss[i].odd;
+            }
+            Eigen::Matrix<double, 6, Eigen::Dynamic> stress(6, angles);
+            stress.topRows<4>().noalias() = at.even.topRows<4>() * waves.cosine + at.odd.topRows<4>() * waves.sine;
+            stress.bottomRows<2>().noalias() =
+                at.even.bottomRows<2>() * waves.sine - at.odd.bottomRows<2>() * waves.cosine;
+            for (Index j = 0; j < angles; ++j)
+                result(j, count * static_cast<Index>(e) + static_cast<Index>(p)) = von_mises(stress.col(j));
+        }
     });
     return result.transpose();
 }
 
 StressPeak stress_peak(SectionMesh const& mesh, HarmonicField const& field, std::vector<double> const& phi, int threads)
 {
-    Eigen::MatrixXd const all = gauss_stress(mesh, field, phi, threads);
+    double const g = std::sqrt(1.0 / 3);
+    std::vector<Vec2> const places{{-1, -g}, {1, -g}, {-1, g}, {1, g}};
+    Eigen::MatrixXd const all = recovered_stress(mesh, field, places, phi, threads);
     if (all.size() == 0)
         return {};
-    Index point = 0, angle = 0;
-    double const largest = all.maxCoeff(&point, &angle);
-    return {largest, position(mesh, gauss_points(mesh)[static_cast<std::size_t>(point)]),
-            phi[static_cast<std::size_t>(angle)]};
+    Index row = 0, angle = 0;
+    double const largest = all.maxCoeff(&row, &angle);
+    auto const point = static_cast<std::size_t>(row);
+    Vec2 const& at = places[point % places.size()];
+    return {largest, {point / places.size(), at.x(), at.y()}, phi[static_cast<std::size_t>(angle)]};
 }
 
 }  // namespace hdconj::elastic

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int quadratic_hexahedron = 25;  // VTK's number of the cell's kind
 
-/// Equivalent stress at a node: in each of its elements extrapolated from the reduced Gauss points, then averaged.
+/// Equivalent stress at a node: the mean of its elements.
 class NodalStress
 {
   public:
@@ -27,28 +27,21 @@ class NodalStress
         : stress_(Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(mesh.nodes.size()),
                                         static_cast<Eigen::Index>(phi.size())))
     {
-        Eigen::MatrixXd const gauss = elastic::gauss_stress(mesh, field, phi);
+        std::vector<Vec2> const nodes{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}};
+        Eigen::MatrixXd const stress = elastic::recovered_stress(mesh, field, nodes, phi);
         Eigen::VectorXd times = Eigen::VectorXd::Zero(stress_.rows());
-        constexpr double corner[8][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}};
-        double const far = std::sqrt(3.0);
-        for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-            for (std::size_t a = 0; a < 8; ++a) {
-                double const x = far * corner[a][0], y = far * corner[a][1];
-                auto const first = static_cast<Eigen::Index>(4 * e);
+        for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+            for (std::size_t a = 0; a < nodes.size(); ++a) {
                 auto const node = static_cast<Eigen::Index>(mesh.elements[e][a]);
-                stress_.row(node) +=
-                    ((1 - x) * (1 - y) * gauss.row(first) + (1 + x) * (1 - y) * gauss.row(first + 1) +
-                     (1 - x) * (1 + y) * gauss.row(first + 2) + (1 + x) * (1 + y) * gauss.row(first + 3)) /
-                    4;
+                stress_.row(node) += stress.row(static_cast<Eigen::Index>(nodes.size() * e + a));
                 times[node] += 1;
             }
-        }
         stress_ = times.cwiseInverse().asDiagonal() * stress_;
     }
 
     [[nodiscard]] double at(int node, std::size_t angle) const
     {
-        return std::max(0.0, stress_(node, static_cast<Eigen::Index>(angle)));
+        return stress_(node, static_cast<Eigen::Index>(angle));
     }
 
   private:

@@ -116,8 +116,8 @@ double grid_difference(double fine, std::span<double const> coarser)
 
 double stress_error(double fine, std::span<double const> coarser, double at_corners, double safety)
 {
-    constexpr double part = 0.125;
-    return part * (safety * grid_difference(fine, coarser) + at_corners);
+    constexpr double part = 0.5, least = 0.08;
+    return std::max(part * (safety * grid_difference(fine, coarser) + at_corners), least * fine);
 }
 
 void estimate_errors(contact::ContactContext const& context, DriveGrids const& drives, AssembledCup& cup)

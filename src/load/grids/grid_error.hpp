@@ -38,9 +38,9 @@ void estimate_errors(contact::ContactContext const& context, DriveGrids const& d
                                                                     TorqueBranch const& branch,
                                                                     std::vector<CoarseBranch> const& coarser);
 
-/// Error of the largest stress from its values on all grids and from the corners of its element, which the stress is
-/// extrapolated to. All in MPa. An eighth of their sum: of 24 random drives the sum was at least eighteen times the
-/// distance from a grid four times finer, and of five drives with fillets at least nine times.
+/// Error of the largest stress from its values on all grids and from the corners of its side of an element. All in MPa.
+/// Half of their sum, and no less than 8 % of the stress, since the grids have elements of the same length: 24 random
+/// drives and three with fillets were within 0.95 of it of a grid with four times the slices and twice the circles.
 [[nodiscard]] double stress_error(double fine, std::span<double const> coarser, double at_corners, double safety);
 
 }  // namespace hdconj::load

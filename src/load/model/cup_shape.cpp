@@ -37,9 +37,9 @@ std::vector<elastic::SectionPoint> enter_section(LoadModel const& model, CupShap
 void enter_stress(LoadModel const& model, elastic::HarmonicField const& field, int threads, CupShape& shape)
 {
     std::size_t const points = shape.r.size();
-    Eigen::MatrixXd const gauss = elastic::gauss_stress(model.solid.mesh(), field, shape.phi, threads);
+    std::vector<Vec2> const corners{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    Eigen::MatrixXd const stress = elastic::recovered_stress(model.solid.mesh(), field, corners, shape.phi, threads);
     std::vector<double> around(points, 0);
-    constexpr std::size_t nearest[] = {0, 1, 3, 2};  // Gauss point beside each corner
     for (std::vector<int> const& cell : shape.cells)
         for (int const node : cell)
             around[static_cast<std::size_t>(node)] += 1;
@@ -48,7 +48,7 @@ void enter_stress(LoadModel const& model, elastic::HarmonicField const& field, i
             auto const point = static_cast<std::size_t>(shape.cells[e][c]);
             for (std::size_t a = 0; a < shape.phi.size(); ++a)
                 shape.stress[a * points + point] +=
-                    gauss(static_cast<Eigen::Index>(4 * e + nearest[c]), static_cast<Eigen::Index>(a)) / around[point];
+                    stress(static_cast<Eigen::Index>(4 * e + c), static_cast<Eigen::Index>(a)) / around[point];
         }
 }
 
@@ -106,19 +106,14 @@ CupStress cup_stress(LoadModel const& model, elastic::HarmonicField const& field
     CupStress result;
     result.peak =
         elastic::stress_peak(mesh, field, elastic::even_angles(angles, model.drive.response->sectors()), threads);
-    std::vector<elastic::SectionPoint> const points = elastic::gauss_points(mesh);
-    auto const distance = [&](elastic::SectionPoint const& point) {
-        return (elastic::position(mesh, point) - result.peak.at).squaredNorm();
-    };
-    auto const nearest = std::min_element(points.begin(), points.end(),
-                                          [&](auto const& a, auto const& b) { return distance(a) < distance(b); });
-    if (nearest == points.end())
+    if (!(result.peak.stress > 0))
         return result;
-    for (double const xi : {-1.0, 1.0})
-        for (double const eta : {-1.0, 1.0}) {
-            auto const stress = elastic::stress_at(mesh, field, {nearest->element, xi, eta}, result.peak.phi);
-            result.at_corners = std::max(result.at_corners, elastic::von_mises(stress) - result.peak.stress);
-        }
+    result.at = elastic::position(mesh, result.peak.place);
+    double const side = result.peak.place.xi;
+    Eigen::MatrixXd const corners =
+        elastic::recovered_stress(mesh, field, {{side, -1}, {side, 1}}, {result.peak.phi}, threads);
+    auto const first = 2 * static_cast<Eigen::Index>(result.peak.place.element);
+    result.at_corners = std::max(0.0, corners.middleRows<2>(first).maxCoeff() - result.peak.stress);
     return result;
 }
 

@@ -13,15 +13,15 @@ namespace hdconj::load {
 /// Displacement of the whole cup under forces on the drive's stations.
 [[nodiscard]] elastic::HarmonicField cup_field(LoadModel const& model, Eigen::MatrixXd const& forces, int threads);
 
-/// The cup at 180 angles as it is drawn; the stress at a corner of an element is the mean of the Gauss points around
-/// it.
+/// The cup at 180 angles as it is drawn; the stress at a corner is the mean of the elements around it.
 [[nodiscard]] CupShape cup_shape(LoadModel const& model, elastic::HarmonicField const& field, int threads);
 
-/// The largest von Mises stress of the cup.
+/// The largest von Mises stress of the cup, on its surface.
 struct CupStress
 {
-    elastic::StressPeak peak;  ///< of the Gauss points at 90 angles of a sector [MPa]
-    double at_corners = 0;     ///< by how much the stress at the corners of that element exceeds it, at least 0 [MPa]
+    elastic::StressPeak peak;  ///< at 90 angles of a sector [MPa]
+    Vec2 at = Vec2::Zero();    ///< (r, z) [mm]
+    double at_corners = 0;     ///< by how much the corners of that side of the element exceed it, at least 0 [MPa]
 };
 [[nodiscard]] CupStress cup_stress(LoadModel const& model, elastic::HarmonicField const& field, int threads);
 

@@ -146,8 +146,8 @@ void enter_stress(contact::ContactContext const& context, DriveGrids const& driv
     CupStress const stress = cup_stress(model, field, context.threads);
     LoadedState& state = result.curve[result.rated];
     state.largest_stress = stress.peak.stress;
-    state.stress_r = stress.peak.at.x();
-    state.stress_z = stress.peak.at.y() - model.middle;
+    state.stress_r = stress.at.x();
+    state.stress_z = stress.at.y() - model.middle;
     state.stress_phi = stress.peak.phi;
     if (!result.estimated)
         return;
