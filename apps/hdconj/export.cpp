@@ -62,8 +62,10 @@ int run_export(CommonOptions const& common, ExportArguments const& own)
         check_calculix);
     if (!own.calculix.empty())
         work.outputs.back().target.is_folder = true;
-    add_file(work, "vtu", "--vtu", own.vtu,
-             [&](Cup const& cup, std::filesystem::path const& file) { write_vtu(*cup, file, 2 * own.steps); });
+    add_file(
+        work, "vtu", "--vtu", own.vtu,
+        [&](Cup const& cup, std::filesystem::path const& file) { write_vtu(*cup, file, 2 * own.steps); },
+        check_ending("--vtu", ".vtu", "ParaView"));
     work.compute = [&](ProgressLine const&) { return elastic_cup(scene); };
     work.text = [&](Cup const& cup, Written const& written) {
         std::string text = describe(*cup, elastic_cup_error(scene, *cup)) + '\n';
@@ -71,7 +73,9 @@ int run_export(CommonOptions const& common, ExportArguments const& own)
             text += name + '\n';
         return text;
     };
-    work.wrote = [](Cup const&, Written const&) { return std::vector<std::string>{}; };
+    work.json = [&](Cup const& cup, Written const& written) {
+        return summary_json(*cup, elastic_cup_error(scene, *cup), written);
+    };
     return run_verb(common, work);
 }
 

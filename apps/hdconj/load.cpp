@@ -40,7 +40,7 @@ void add_files(Work<LoadStudy>& work, CommonOptions const& common, LoadArguments
 {
     add_file(work, "hdf5", "--output", output_name(common, own.output, scene, "-load.h5"),
              [measured](LoadStudy const& study, fs::path const& file) { write_hdf5(study, file, measured); });
-    add_file(work, "vtu", "--vtu", own.vtu, write_cup_vtu);
+    add_file(work, "vtu", "--vtu", own.vtu, write_cup_vtu, check_ending("--vtu", ".vtu", "ParaView"));
     if (own.picture.empty())
         return;
     fs::path const picture = own.picture;

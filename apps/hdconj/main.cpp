@@ -3,6 +3,8 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <csignal>
 #include <iostream>
@@ -49,12 +51,24 @@ constexpr char const* examples =
     "Exit status: 0 done, 1 failed, 2 bad scene or bad command line.\n"
     "Data goes to standard output, talk to standard error.";
 
+/// The file that @p fault is in; empty where it is one of the command line.
+std::string file_of(CommonOptions const& common, Fault const& fault)
+{
+    if (!fault.origin.empty() && fault.origin != "--set")
+        return fault.origin;
+    bool const is_option = fault.path.starts_with('-') || fault.path == "POINTS";
+    return common.scene.empty() || is_option ? "" : scene_name(common);
+}
+
 void print_faults(CommonOptions const& common, Faults const& faults)
 {
-    std::cerr << "hdconj: " << faults.size() << (faults.size() == 1 ? " fault" : " faults");
-    if (!common.scene.empty())
-        std::cerr << " in " << scene_name(common);
-    std::cerr << '\n' << describe(faults) << '\n';
+    std::vector<std::string> files;
+    for (Fault const& fault : faults)
+        if (auto const file = file_of(common, fault); !file.empty() && std::ranges::find(files, file) == files.end())
+            files.push_back(file);
+    std::cerr << fmt::format("hdconj: {} {}{}{}\n", faults.size(), faults.size() == 1 ? "fault" : "faults",
+                             files.empty() ? "" : " in ", fmt::join(files, " and "))
+              << describe(faults) << '\n';
 }
 
 int fail(std::string const& cause)
@@ -78,6 +92,10 @@ int run_action(CommonOptions const& common)
         return exit_input;
     } catch (std::bad_alloc const&) {
         return fail("out of memory");
+    } catch (SceneFailure const& failure) {
+        if (common.json)
+            std::cout << failure_json(failure.scene, failure) << '\n';
+        return fail(failure.scene + ": " + failure.what());
     } catch (std::exception const& error) {
         if (common.json)
             std::cout << failure_json(scene_name(common), error) << '\n';

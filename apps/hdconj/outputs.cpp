@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "hdconj/error.hpp"
+#include "hdconj/file/atomic_file.hpp"
 #include "hdconj/profile/registry.hpp"
 #include "hdconj/scene/number_pairs.hpp"
 #include "hdconj/wavegen/registry.hpp"
@@ -128,6 +129,16 @@ void check_outputs(std::vector<OutputTarget> const& targets, std::vector<InputFi
     }
     for (auto const& target : targets)
         target.check();
+}
+
+std::function<void(fs::path const&)> check_ending(std::string option, std::string ending, std::string reader)
+{
+    return [=](fs::path const& file) {
+        if (CLI::detail::to_lower(file.extension().string()) != ending)
+            throw InputError(Fault{option, 0, file.string(), reader + " knows the file by its ending " + ending,
+                                   "write NAME" + ending});
+        file::check_target(file);
+    };
 }
 
 fs::path output_name(CommonOptions const& common, std::string const& given, Scene const& scene,

@@ -42,6 +42,11 @@ struct OutputTarget
 /// @throws InputError, FileError
 void check_outputs(std::vector<OutputTarget> const& targets, std::vector<InputFile> const& read);
 
+/// A check of a target of @p option, whose name must end in @p ending: check_target(), and that.
+/// @param reader  that knows the file by it
+[[nodiscard]] std::function<void(std::filesystem::path const&)> check_ending(std::string option, std::string ending,
+                                                                             std::string reader);
+
 /// A file name made of a drive's name: letters of any script, digits, and "._-" stay.
 [[nodiscard]] std::string file_name(std::string const& drive);
 

@@ -27,13 +27,20 @@ struct ReportArguments
     std::string output;
 };
 
+/// A scene that is computed, and how messages call it.
+struct NamedScene
+{
+    Scene scene;
+    std::string name;
+};
+
 /// A drive of the page: a scene that is computed, or what a result file holds.
-using Source = std::variant<Scene, ReportedDrive>;
+using Source = std::variant<NamedScene, ReportedDrive>;
 
 Scene const& scene_of(Source const& source)
 {
-    auto const* const scene = std::get_if<Scene>(&source);
-    return scene != nullptr ? *scene : std::get<ReportedDrive>(source).solution.scene;
+    auto const* const named = std::get_if<NamedScene>(&source);
+    return named != nullptr ? named->scene : std::get<ReportedDrive>(source).solution.scene;
 }
 
 /// Options that change how scenes are computed, where there are only result files.
@@ -64,12 +71,16 @@ std::vector<Source> sources_of(CommonOptions common, ReportArguments const& own,
                 inputs.push_back({name, "this is a result file that the page shows"});
                 sources.emplace_back(read_drive(name));
             } else {
-                sources.emplace_back(load_scene(common));
+                sources.emplace_back(NamedScene{load_scene(common), scene_name(common)});
                 append(inputs, inputs_of(common, scene_of(sources.back())));
             }
-            append(faults, check_report(scene_of(sources.back())));
+            refuse(check_report(scene_of(sources.back())));
         } catch (InputError const& error) {
-            append(faults, error.faults());
+            for (Fault fault : error.faults()) {
+                if (fault.origin.empty() && !is_file && !name.empty())
+                    fault.origin = scene_name(common);
+                faults.push_back(std::move(fault));
+            }
         }
     }
     if (!any_scene)
@@ -89,6 +100,18 @@ ReportOptions options_of(ReportArguments const& own)
     return options;
 }
 
+ReportedDrive drive_of(Source const& source, ReportOptions const& options, ProgressLine const& progress)
+{
+    auto const* const named = std::get_if<NamedScene>(&source);
+    if (named == nullptr)
+        return complete_drive(std::get<ReportedDrive>(source), options, progress.stages());
+    try {
+        return report_drive(named->scene, options, progress.stages(), progress.shares());
+    } catch (NumericalError const& error) {
+        throw SceneFailure(error, named->name);
+    }
+}
+
 std::vector<std::string> failures(std::vector<ReportedDrive> const& drives)
 {
     std::vector<std::string> missing;
@@ -105,20 +128,17 @@ int run_report(CommonOptions const& common, ReportArguments const& own)
     Work<Drives> work;
     std::vector<Source> const sources = sources_of(common, own, work.inputs);
     ReportOptions const options = options_of(own);
-    refuse(check_options(options.contact));
+    refuse(check_report(options));
     CommonOptions first = common;
     first.scene = own.sources.empty() ? "" : own.sources.front();
     add_file(
         work, "html", "--output", output_name(first, own.output, scene_of(sources.front()), ".html"),
-        [](Drives const& drives, fs::path const& file) { file::write_text_atomically(file, report_page(drives)); });
+        [](Drives const& drives, fs::path const& file) { file::write_text_atomically(file, report_page(drives)); },
+        check_ending("--output", ".html", "a browser"));
     work.compute = [&](ProgressLine const& progress) {
         Drives drives;
-        for (Source const& source : sources) {
-            auto const* const scene = std::get_if<Scene>(&source);
-            drives.push_back(scene != nullptr
-                                 ? report_drive(*scene, options, progress.stages(), progress.shares())
-                                 : complete_drive(std::get<ReportedDrive>(source), options, progress.stages()));
-        }
+        for (Source const& source : sources)
+            drives.push_back(drive_of(source, options, progress));
         return drives;
     };
     work.text = [](Drives const&, Written const& written) {
@@ -166,6 +186,7 @@ void add_report(CLI::App& program, CommonOptions& common)
     add_option(verb, "--revolution", own.revolution, "angles of the wave generator at which contact is computed", "N",
                whole_number(1, scene::bounds::most_revolution_angles));
     verb.add_flag("--no-curve", own.no_curve, "load at the largest torque only: no curve");
+    verb.parse_complete_callback([&common, &own] { common.subject = fmt::format("{}", fmt::join(own.sources, ", ")); });
     verb.footer(report_footer);
 }
 

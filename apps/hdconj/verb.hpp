@@ -20,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+#include "hdconj/error.hpp"
 #include "hdconj/scene.hpp"
 #include "hdconj/scene/reading.hpp"
 
@@ -37,7 +38,7 @@ enum ExitStatus : int
 struct CommonOptions
 {
     std::string scene;                   ///< scene file, "-" for standard input; empty: the built-in scene
-    std::string subject;                 ///< what faults are of where the verb reads no scene; empty: it does
+    std::string subject;                 ///< what faults are of where that is not `scene`; empty: it is
     std::vector<std::string> overrides;  ///< "key.path=value" of --set, in order
     bool json = false;                   ///< one JSON object on standard output instead of text
     bool quiet = false;                  ///< no messages on standard error, no summary
@@ -45,6 +46,14 @@ struct CommonOptions
     int threads = -1;                    ///< --threads; -1: as the scene says
 
     std::function<int()> action;  ///< what the chosen verb does; returns the exit status
+};
+
+/// A failure of one scene, where a verb reads several.
+struct SceneFailure : NumericalError
+{
+    SceneFailure(NumericalError const& cause, std::string name) : NumericalError(cause), scene(std::move(name)) {}
+
+    std::string scene;  ///< as scene_name() calls it
 };
 
 /// Registers the verb @p name, which calls @p run once the command line is parsed.

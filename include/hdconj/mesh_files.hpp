@@ -8,14 +8,14 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "hdconj/contact.hpp"
+#include "hdconj/elastic_cup.hpp"
+#include "hdconj/file/written_file.hpp"
 
 namespace hdconj {
-
-namespace elastic {
-class BentCup;
-}
 
 /// A tenth of a micrometre: below what can be made or measured. [mm]
 inline constexpr double surface_tolerance = 1e-4;
@@ -79,5 +79,10 @@ void write_calculix(elastic::BentCup const& cup, std::filesystem::path const& fo
 
 /// What can be known about that folder before the long work. @throws FileError
 void check_calculix(std::filesystem::path const& folder);
+
+/// Figures of the cup, and what was written of it, as one JSON object; keys in docs/reference/json.md.
+/// @param error  that elastic_cup_error() returns for @p cup
+[[nodiscard]] std::string summary_json(elastic::BentCup const& cup, BentCupError const& error,
+                                       std::vector<WrittenFile> const& written);
 
 }  // namespace hdconj

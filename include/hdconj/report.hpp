@@ -85,6 +85,9 @@ struct ReportedDrive
 /// A neutral curve that is wanted has no report.
 [[nodiscard]] Faults check_report(Scene const& scene);
 
+/// Faults of the options, among them those of parts that are not asked for.
+[[nodiscard]] Faults check_report(ReportOptions const& options);
+
 /// Computes the parts of a report by solve(), study_contact(), study_load(), study_run(), wire_set_ups() and
 /// design_beside(). A part
 /// that cannot be computed leaves the others as they are and is named in ReportedDrive::left_out.

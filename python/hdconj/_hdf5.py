@@ -178,7 +178,9 @@ def read(file: str | os.PathLike[str]) -> Group:
     Returns
     -------
     Group
-        The root, with the arrays in memory.
+        The root, with the arrays in memory. A file tells figures by their errors: a group has
+        those whose error it holds, such as ``read(file)["load"].figures``. The root has none, and
+        ``summary`` has attributes only.
 
     Raises
     ------

@@ -273,7 +273,7 @@ Words run_report(std::vector<ReportSource> const& sources, std::string const& fi
         options.contact.tilts.push_back(tilt * deg);
     options.contact.revolution = revolution;
     options.load.curve = curve;
-    for (Fault const& fault : check_options(options.contact))
+    for (Fault const& fault : check_report(options))
         faults.push_back(fault);
     refuse(faults);
     file::check_target(file);

@@ -35,6 +35,13 @@ constexpr std::array torque_figures = {
     pair<&RunSequence::torque_ripple, &RunSequence::torque_ripple_error>(
         "torque_ripple", newton_metre, "peak to peak of that torque", {"ripple", significant<3>, two_digits})};
 
+/// "-" where the wave generator takes no power.
+template <std::string (*format)(double)>
+std::string if_determined(double value)
+{
+    return value == value ? format(value) : "-";
+}
+
 template <class Row, std::size_t n, std::size_t m>
 constexpr auto both(std::array<Row, n> const& first, std::array<Row, m> const& second)
 {
@@ -102,9 +109,9 @@ Rows<EfficiencyRow> efficiency_rows()
         figure<&T::torque>("torque", newton_metre, "on the output", {"torque", significant<4>}),
         figure<&T::speed>("speed", rpm, "of the wave generator", {"speed", significant<5>}),
         figure<&T::temperature>("temperature", celsius, "of the lubricant", {"temperature", significant<4>}),
-        pair<&T::efficiency, &T::efficiency_error>("efficiency", one,
-                                                   "power of the output over that of the wave generator",
-                                                   {"efficiency", fixed<1>, two_digits, &percent}),
+        pair<&T::efficiency, &T::efficiency_error>(
+            "efficiency", one, "power of the output over that of the wave generator",
+            {"efficiency", if_determined<fixed<1>>, if_determined<two_digits>, &percent}),
         pair<&T::input_torque, &T::input_torque_error>(
             "input_torque", newton_metre, "that drives the wave generator; at torque 0 the no-load running torque",
             {"input", significant<4>, two_digits}),

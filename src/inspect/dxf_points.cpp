@@ -10,6 +10,7 @@
 
 #include "base/text.hpp"
 #include "file/dxf_groups.hpp"
+#include "file/listed_faults.hpp"
 #include "hdconj/units.hpp"
 
 namespace hdconj::inspect {
@@ -17,7 +18,6 @@ namespace {
 
 constexpr int code_elevation = 38;  // of a LWPOLYLINE
 constexpr double farthest = 1e5;    // [mm] as in a CSV file
-constexpr std::size_t most_point_faults = 20;
 
 /// mm of a unit of $INSUNITS; nothing for one that no drawing of a gear has.
 std::optional<double> unit_of_drawing(double number)
@@ -65,13 +65,15 @@ class DxfPoints
         } else if (in_entities_ && (entity_ == "POINT" || entity_ == "VERTEX" || entity_ == "LWPOLYLINE")) {
             take_coordinate(code, value, line);
         }
-        return result_.faults.size() < most_point_faults && result_.measured.points.size() <= most_part_points;
+        further_.take_from(result_.faults);
+        return result_.measured.points.size() <= most_part_points;
     }
     /// After the last group.
-    void end_entity()
+    void end()
     {
-        end_point();
-        elevation_ = 0;
+        if (result_.faults.empty())
+            end_point();
+        further_.add_to(result_.faults, result_.measured.file);
     }
 
   private:
@@ -110,6 +112,11 @@ class DxfPoints
             (code == code_y ? point_->where.y() : point_->z) = length;
         }
     }
+    void end_entity()
+    {
+        end_point();
+        elevation_ = 0;
+    }
     void end_point()
     {
         if (!point_)
@@ -120,6 +127,7 @@ class DxfPoints
     }
 
     PointReading& result_;
+    file::FurtherFaults further_;
     std::string entity_, variable_;
     bool in_entities_ = false;
     double factor_ = 1, elevation_ = 0;
@@ -150,8 +158,8 @@ std::optional<file::Unreadable> read_dxf_points(std::filesystem::path const& fil
                                  "save the drawing as DXF text (ASCII)", result.measured.file});
         return false;
     });
-    if (!unreadable && result.faults.empty())
-        points.end_entity();
+    if (!unreadable)
+        points.end();
     return unreadable;
 }
 

@@ -12,6 +12,7 @@
 #include "base/text.hpp"
 #include "mean_flank.hpp"
 #include "numeric/least_squares.hpp"
+#include "plane_points.hpp"
 #include "registration.hpp"
 #include "ring_figures.hpp"
 #include "zone_error.hpp"
@@ -21,50 +22,6 @@ namespace {
 
 /// Registrations, the later ones without the strays that the fits before have found.
 constexpr int most_rounds = 4;
-
-/// The points of the planes that are evaluated, and where each stands in the file.
-struct PlanePoints
-{
-    std::vector<PlanePoint> points;
-    std::vector<std::size_t> origin;
-};
-
-PlanePoints points_on(std::vector<double> const& z, PointFile const& measured)
-{
-    PlanePoints on;
-    for (std::size_t i = 0; i < measured.points.size(); ++i) {
-        PartPoint const& point = measured.points[i];
-        auto const near = std::min_element(
-            z.begin(), z.end(), [&](double a, double b) { return std::abs(a - point.z) < std::abs(b - point.z); });
-        if (measured.has_z && std::abs(*near - point.z) > plane_thickness)
-            continue;
-        on.points.push_back({point.where, static_cast<std::size_t>(near - z.begin()), point.right});
-        on.origin.push_back(i);
-    }
-    return on;
-}
-
-/// Most points must stand on flanks: those of another part, of another unit or about another axis do not.
-void refuse_foreign_points(PlanePoints const& on, std::vector<PointView> const& views, NominalPart const& part,
-                           std::string const& file)
-{
-    double const near = part.pitch() * part.planes.front().reference_radius / 4;
-    auto const count = std::count_if(views.begin(), views.end(),
-                                     [&](PointView const& view) { return view.on && std::abs(view.deviation) < near; });
-    if (2 * count >= std::ptrdiff_t(views.size()))
-        return;
-    double low = on.points.front().where.norm(), high = low;
-    for (PlanePoint const& point : on.points) {
-        low = std::min(low, point.where.norm());
-        high = std::max(high, point.where.norm());
-    }
-    throw InputError(Fault{"POINTS", 0, file,
-                           fmt::format("{} of {} points stand on a flank of the part: they lie {} ... {} mm from the "
-                                       "axis, the middle of the nominal flanks {} mm",
-                                       count, views.size(), short_number(low), short_number(high),
-                                       short_number(part.planes.front().reference_radius)),
-                           "give points in mm about the axis of the part, and the part by --part"});
-}
 
 /// The flanks that have points, by plane, tooth, left before right.
 std::vector<FlankGroup> groups_of(std::vector<PlanePoint> const& points, std::vector<PointView> const& views,
@@ -105,9 +62,12 @@ Fitted fitted(PointReader const& read, PlanePoints const& on, PointFile const& m
         for (std::size_t i = 0; i < on.points.size(); ++i)
             if (found.used[i])
                 what.points.push_back(on.points[i]);
-        if (round == 0)
-            refuse_foreign_points(on, views_of(read, on.points, {near_turn(what), Vec2::Zero()}, threads), read.part(),
-                                  measured.file);
+        if (round == 0) {
+            refuse_exchanged_flanks(on, read, measured.file, threads);
+            auto const views = views_of(read, on.points, {near_turn(what), Vec2::Zero()}, threads);
+            refuse_foreign_points(on, views, read.part(), measured.file);
+            refuse_mixed_teeth(on, views, measured, read.part());
+        }
         found.placement = registered(what);
         found.views = views_of(read, on.points, found.placement, threads);
         found.fits.clear();
@@ -280,6 +240,10 @@ Inspection evaluated(Scene const& scene, NominalPart const& part, std::vector<do
     result.sides = side_figures(data, result.flanks, intervals);
     result.planes = plane_figures(data, intervals);
     result.mean_flank = mean_flank(data);
+    if (on.repeated > 0)
+        result.notes.push_back(fmt::format("{} {} in the file again, and {} used once", on.repeated,
+                                           on.repeated == 1 ? "point stands" : "points stand",
+                                           on.repeated == 1 ? "is" : "are"));
     add_notes(result, groups_of(on.points, found.views, found.used).size());
     return result;
 }

@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "dxf_points.hpp"
 #include "file/csv.hpp"
+#include "file/listed_faults.hpp"
 #include "hdconj/inspect.hpp"
 #include "point_columns.hpp"
 
@@ -20,8 +21,7 @@ namespace {
 using inspect::PointColumn;
 using inspect::PointColumns;
 
-constexpr std::size_t most_point_faults = 20;  // of one file: further ones are of the same sort
-constexpr double farthest = 1e5;               // [mm] a coordinate beyond 100 m is none of a gear
+constexpr double farthest = 1e5;  // [mm] a coordinate beyond 100 m is none of a gear
 constexpr double most_tooth_number = 1e6;
 
 Fault point_file_fault(std::string const& file, std::string reason, std::string remedy)
@@ -107,13 +107,14 @@ bool add_point_of_line(PointColumns const& columns, PointLine const& line, Point
     double const x = length_in(line, columns.x), y = length_in(line, columns.y);
     measured.points.push_back({Vec2(x, y), length_in(line, columns.z), tooth_in(line, columns.tooth),
                                flank_in(line, columns.flank), line.number});
-    return line.faults.size() < most_point_faults && measured.points.size() <= most_part_points;
+    return measured.points.size() <= most_part_points;
 }
 
 std::optional<file::Unreadable> read_csv_points(std::filesystem::path const& file, PointReading& result)
 {
     PointFile& measured = result.measured;
     std::optional<PointColumns> columns;
+    file::FurtherFaults further;
     auto const unreadable = file::read_csv(file, largest_point_file, [&](std::string_view text, int number) {
         if (!columns) {
             columns = inspect::point_columns(file::trimmed(text), number, measured.file, result.faults);
@@ -121,8 +122,11 @@ std::optional<file::Unreadable> read_csv_points(std::filesystem::path const& fil
             return result.faults.empty();
         }
         PointLine const line{file::fields_of(text, columns->separator), number, measured.file, result.faults};
-        return add_point_of_line(*columns, line, measured);
+        bool const more = add_point_of_line(*columns, line, measured);
+        further.take_from(result.faults);
+        return more;
     });
+    further.add_to(result.faults, measured.file);
     if (!unreadable && result.faults.empty() && measured.points.empty())
         result.faults.push_back(point_file_fault(measured.file,
                                                  columns ? "has a header and no points" : "has no header and no points",

@@ -13,6 +13,7 @@
 #include "hdconj/scene/schema.hpp"
 #include "hdconj/solve.hpp"
 #include "inspect/evaluation.hpp"
+#include "inspect/plane_points.hpp"
 #include "surface/build_slices.hpp"
 
 namespace hdconj {
@@ -23,9 +24,10 @@ using inspect::NominalPart;
 /// A measured plane that is as near a slice as this is that slice [mm].
 constexpr double slice_thickness = 1e-6;
 
-/// The slice at height @p z; none where no slice is there.
-std::optional<std::size_t> slice_at(CircularSplineOutline const& spline, double z)
+/// The slice at @p height, of heights beyond an end the last one; none where no slice is there.
+std::optional<std::size_t> slice_at(CircularSplineOutline const& spline, double height)
 {
+    double const z = std::clamp(height, spline.z.front(), spline.z.back());
     auto const found = std::ranges::find_if(spline.z, [&](double s) { return std::abs(s - z) <= slice_thickness; });
     return found == spline.z.end() ? std::nullopt : std::optional<std::size_t>(found - spline.z.begin());
 }
@@ -37,11 +39,6 @@ void take_measured_planes(Solution& solution, std::vector<double> const& z)
     double const first = spline.z.front(), last = spline.z.back();
     std::vector<double> places{first, last};
     for (double const each : z) {
-        if (each < first - slice_thickness || each > last + slice_thickness)
-            throw InputError(Fault{"--plane", 0, short_number(each),
-                                   fmt::format("the circular spline stands between z = {} and {} mm",
-                                               short_number(first), short_number(last)),
-                                   "measure within its width, z = 0 in the middle of the bearing"});
         if (std::min(each - first, last - each) > slice_thickness)
             places.push_back(each);
     }
@@ -104,9 +101,11 @@ Inspection inspect_points(Scene const& scene, PointFile const& measured, Inspect
     if (Faults const faults = check_scene(scene); !faults.empty())
         throw InputError(faults);
     std::vector<double> const z = inspect::planes_of(measured, options);
+    inspect::refuse_planes_outside(z, scene, measured, options);
     NominalPart part;
     part.space = options.part == InspectedPart::circular_spline;
     part.teeth = part.space ? scene.drive.circular_spline_teeth : scene.drive.flexspline_teeth;
+    inspect::refuse_numbers(measured, part);
     PairGeometry geometry;
     if (part.space || scene.is_reverse()) {
         Solution const solution = solve(finely_drawn(scene), on_stage);

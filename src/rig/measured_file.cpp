@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "file/csv.hpp"
+#include "file/listed_faults.hpp"
 #include "hdconj/units.hpp"
 #include "measured_columns.hpp"
 
@@ -143,8 +144,7 @@ bool read_row(CurveColumns const& columns, std::string_view text, int line, Meas
                                                    "keep every tenth sample or so"));
         return false;
     }
-    constexpr std::size_t most_faults = 20;  // of one file: further ones are of the same sort
-    return result.faults.size() < most_faults;
+    return true;
 }
 
 }  // namespace
@@ -156,9 +156,13 @@ MeasuredReading examine_measured(std::filesystem::path const& file, RigOptions c
     std::string const& name = result.curve.file;
     std::optional<CurveColumns> columns;
     bool header_seen = false;
+    file::FurtherFaults further;
     auto const unreadable = file::read_csv(file, largest_measured_file, [&](std::string_view line, int number) {
-        if (columns)
-            return read_row(*columns, line, number, result);
+        if (columns) {
+            bool const more = read_row(*columns, line, number, result);
+            further.take_from(result.faults);
+            return more;
+        }
         header_seen = true;
         MeasuredColumns const found = rig::measured_columns(file::trimmed(line), number, name, result.faults);
         if (!result.faults.empty())
@@ -168,6 +172,7 @@ MeasuredReading examine_measured(std::filesystem::path const& file, RigOptions c
         result.curve.columns = columns->torque.heading + ", " + columns->angle.heading;
         return true;
     });
+    further.add_to(result.faults, name);
     if (unreadable)
         result.faults.push_back(fault_of(*unreadable, name));
     else if (!header_seen)

@@ -72,7 +72,7 @@ EfficiencyRow efficiency_at(LossModel const& model, LoadedRun const& run, double
     double const useful = run.torque / model.motion.ratio();
     double const lost = row.flanks + row.bearing_load + row.bearing_speed + row.seal + row.churning;
     row.input_torque = useful + lost;
-    row.efficiency = lost == 0 ? 1 : useful / row.input_torque;
+    row.efficiency = useful / row.input_torque;
     return row;
 }
 

@@ -68,7 +68,8 @@ struct LossModel
 /// @param speed  of the wave generator [rad/s]; 0: at rest
 [[nodiscard]] double flank_loss(LossModel const& model, LoadedRun const& run, double speed);
 
-/// All losses at one speed and temperature. Without losses the efficiency is 1, also without torque.
+/// All losses at one speed and temperature. Without losses the efficiency is 1; without losses and without torque it is
+/// 0/0, NaN.
 [[nodiscard]] EfficiencyRow efficiency_at(LossModel const& model, LoadedRun const& run, double speed,
                                           double temperature);
 

@@ -227,10 +227,10 @@ std::vector<KeySpec> circular_spline()
                   "tip circle; absent: neutral radius + height of the pitch line + radial deformation - addendum of "
                   "the given tooth"),
          "25.025", to<&Scene::circular_spline, &CircularSpline::inner_radius>},
-        {optional("youngs_modulus", Q::number, "of the circular spline's steel, in MPa; for the verb load",
+        {optional("youngs_modulus", Q::number, "of the circular spline's steel, in MPa; for load and run",
                   bounds::least_modulus, bounds::largest_modulus),
          "210000", to<&Scene::circular_spline, &CircularSpline::youngs_modulus>, 210000.0},
-        {optional("poissons_ratio", Q::number, "of the circular spline's steel; for the verb load", 0,
+        {optional("poissons_ratio", Q::number, "of the circular spline's steel; for load and run", 0,
                   bounds::largest_poissons_ratio),
          "0.3", to<&Scene::circular_spline, &CircularSpline::poissons_ratio>, 0.3}};
 }
@@ -280,7 +280,7 @@ std::vector<KeySpec> joined(std::vector<KeySpec> keys, std::vector<KeySpec> cons
 std::vector<KeySpec> ball_contact()
 {
     return {{optional("ball_diameter", Q::positive_length,
-                      "effect: each ball yields by Hertz between its grooves, F = k d^1.5; for the verb load, with "
+                      "effect: each ball yields by Hertz between its grooves, F = k d^1.5; for load and run, with "
                       "balls; absent: as radial_stiffness says"),
              "3.0", to<&Scene::bearing, &BearingChoice::ball_diameter>},
             {optional("inner_conformity", Q::number,
@@ -291,7 +291,7 @@ std::vector<KeySpec> ball_contact()
                       bounds::least_conformity, bounds::largest_conformity),
              "0.52", to<&Scene::bearing, &BearingChoice::outer_conformity>, 0.52},
             {optional("clearance", Q::nonnegative_length,
-                      "effect: diametral play of the bearing by itself, as ISO 5753 counts it; for the verb load; "
+                      "effect: diametral play of the bearing by itself, as ISO 5753 counts it; for load and run; "
                       "type \"elastic\" only"),
              "0.005", to<&Scene::bearing, &BearingChoice::clearance>, 0.0},
             {optional("youngs_modulus", Q::number, "of the steel of both rings, in MPa; type \"elastic\" only",
@@ -331,7 +331,7 @@ std::vector<KeySpec> bearing()
                     {"held", "free"}, false),
              "\"held\"", [](Scene& s, Parameter const& p) { s.bearing->axially_held = word(p) == "held"; }, "held"},
             {optional("balls", Q::count,
-                      "how many; for the verb load, which presses the ring outward at each of them; absent: a "
+                      "how many; for load and run, which press the ring outward at each of them; absent: a "
                       "continuous row; type \"elastic\" only",
                       1, bounds::most_balls),
              "23", to<&Scene::bearing, &BearingChoice::balls>},
@@ -701,13 +701,13 @@ std::vector<TableSpec> const& scene_schema()
          FamilyKind::none, begin<&Scene::compliance>, compliance()},
         {"tilt", "effect: tilted teeth of the circular spline", effect, FamilyKind::none, begin<&Scene::tilt>, tilt()},
         {"slices", "effect: slices across the face width", effect, FamilyKind::none, begin<&Scene::slices>, slices()},
-        {"tip_relief", "effect: the flexspline's flanks stand back towards the tips; for the verb load", effect,
+        {"tip_relief", "effect: the flexspline's flanks stand back towards the tips; for load and run", effect,
          FamilyKind::none, begin<&Scene::tip_relief>, tip_relief()},
-        {"end_relief", "effect: flanks stand back towards both ends of the face width; for the verb load", effect,
+        {"end_relief", "effect: flanks stand back towards both ends of the face width; for load and run", effect,
          FamilyKind::none, begin<&Scene::end_relief>, end_relief()},
-        {"flow", "effect: the steel of the flanks flows under a contact pressure; for the verb load", effect,
+        {"flow", "effect: the steel of the flanks flows under a contact pressure; for load and run", effect,
          FamilyKind::none, begin<&Scene::flow>, flow()},
-        {"errors", "effect: errors of making and assembly; for the verb load", effect, FamilyKind::none,
+        {"errors", "effect: errors of making and assembly; for load and run", effect, FamilyKind::none,
          begin<&Scene::errors>, errors()},
         {"errors.flexspline", "effect: errors of the flexspline's ring of teeth", effect, FamilyKind::none,
          begin<&Scene::errors, &Errors::flexspline>, ring_errors<&Errors::flexspline>(flexspline_profile)},

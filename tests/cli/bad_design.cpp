@@ -69,6 +69,7 @@ std::vector<BadCommand> const& design_commands()
         {fifty + "--safety 50", "--safety = 50", "above 10", "works is 10"},
         {"--ratio 30 --diameter 50 --safety 5", "--safety = 5", "bending the ring stresses it",
          "the nearest that works is "},
+        {fifty + "--torque 1e6", "--torque = 1e+06", "with the best wall", "the nearest that works is "},
         {fifty + "-o there.toml", "there.toml", "is there already", "--force"},
         {fifty + "-o .", ".", "this is a folder", "name a file in it"},
         {fifty + "-o ''", "--output", "an empty name", "write a name"},

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -222,6 +223,20 @@ TEST_CASE("the built-in drive's cup is exported as load bends it", "[export]")
     CHECK(folder.names() == std::vector<std::string>{"cup.vtu"});
 }
 
+TEST_CASE("an export says as JSON what it wrote", "[export]")
+{
+    TemporaryFolder const folder;
+    auto const done = hdconj_run("export " + scene + "--vtu cup.vtu --calculix deck --steps 4 --json", folder.path());
+    INFO(done.err);
+    REQUIRE(done.status == 0);
+    auto const said = nlohmann::json::parse(done.out);
+    CHECK(said.at("format") == "hdconj-export");
+    CHECK(said.at("files").at("vtu").at("path") == "cup.vtu");
+    CHECK(said.at("files").at("calculix").at("path") == "deck");
+    CHECK(said.at("cup").at("coning_major_deg") == Approx(1.24).epsilon(0.02));
+    CHECK(done.err == "wrote deck\nwrote cup.vtu\n");
+}
+
 TEST_CASE("an export of nothing or of no elastic cup is refused", "[export]")
 {
     TemporaryFolder const folder;
@@ -245,6 +260,10 @@ TEST_CASE("an export of nothing or of no elastic cup is refused", "[export]")
     auto const coarse = hdconj_run("export " + scene + "--calculix deck --contact --steps 11", folder.path());
     CHECK(coarse.status == 2);
     CHECK(coarse.err.find("--steps 16") != std::string::npos);
+    auto const text = hdconj_run("export " + scene + "--vtu cup.txt", folder.path());
+    CHECK(text.status == 2);
+    CHECK(text.err.find("--vtu = cup.txt: ParaView knows the file by its ending .vtu (write NAME.vtu)") !=
+          std::string::npos);
     CHECK(folder.names().empty());
 }
 

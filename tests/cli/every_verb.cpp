@@ -2,6 +2,7 @@
 // What holds for every verb that writes a result: its files, its streams, what a failure leaves, and any number of
 // threads.
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "hdconj_run.hpp"
@@ -71,7 +72,7 @@ std::vector<ThreadedRun> const& threaded_runs()
          {"/load/case_000/curve/twist", "/load/case_000/map/force", "/load/case_000/map/gap", "/load/shape/u_r",
           "/load/cup/w_major"}},
         {"run",
-         "--set slices.count=3 --positions 4 --set friction.flanks=0.1 ",
+         "--set slices.count=3 --positions 4 --set friction.flanks=0.1 --set friction.seal=0.01 ",
          {"/running/sequence_000/error", "/running/sequence_001/error", "/running/sequence_001/wave_generator_torque",
           "/running/sequence_001/spectrum/amplitude", "/running/losses/efficiency"}},
     };
@@ -222,6 +223,22 @@ TEST_CASE("every verb writes every file asked for and names it", "[program]")
             }
         }
     }
+}
+
+TEST_CASE("run says where an efficiency is not determined", "[program]")
+{
+    TemporaryFolder const folder;
+    std::string const arguments =
+        "run --set slices.count=1 --no-errors --positions 4 --torque 5 --set friction.flanks=0.1 -o a.h5 ";
+    auto const text = hdconj_run(arguments, folder.path()).out;
+    CHECK_THAT(text, ContainsSubstring("efficiency -: not determined") && !ContainsSubstring("nan"));
+    auto const rows = json::parse(hdconj_run(arguments + "--json", folder.path()).out).at("running").at("losses");
+    CHECK(rows.at("efficiency").at(0).at("torque_Nm") == 0);
+    CHECK(rows.at("efficiency").at(0).at("efficiency").is_null());
+    CHECK(rows.at("efficiency").at(1).at("efficiency") < 1);
+    auto const stored = read(open_file(folder / "a.h5"), "/running/losses/efficiency").values;
+    CHECK(std::isnan(stored.at(0)));
+    CHECK(stored.at(1) < 1);
 }
 
 }  // namespace hdconj::test::every_verb_cases

@@ -151,6 +151,8 @@ TEST_CASE("inspect refuses what it cannot follow", "[inspect]")
         {"no.toml two.csv", "no.toml", "there is no such file", "hdconj init"},
         {".", "POINTS", "is a folder", "the name of a file"},
         {"bad.csv", "line 2", "is no finite number", "write a number"},
+        {type50 + "bad.csv", "hdconj: 1 fault in bad.csv\nbad.csv line 2", "is no finite number", "write a number"},
+        {type50 + "far.csv", "hdconj: 1 fault\nPOINTS = far.csv", "0 of 3 points stand on a flank", "--part"},
         {type50 + "two.csv far.csv", "far.csv", "", ""},
         {"two.csv --part ring", "--part", "ring", "flexspline"},
         {"two.csv --register best", "--register", "best", "least-squares"},

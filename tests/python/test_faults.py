@@ -109,6 +109,8 @@ def test_wrong_words_are_faults():
         ("--revolution", lambda page: hdconj.contact(revolution=-1)),
         ("--revolution", lambda page: hdconj.contact(revolution=10**9)),
         ("--revolution", lambda page: hdconj.report(None, page, parts="contact", revolution=-3)),
+        ("--tilt", lambda page: hdconj.report(None, page, tilts_deg=[0.2])),
+        ("--no-curve", lambda page: hdconj.report(None, page, parts="contact", curve=False)),
         ("--points", lambda page: hdconj.load(torque=20, points=10**9)),
         ("--torque", lambda page: hdconj.load(torque=0)),
         ("--torque", lambda page: hdconj.load(torque=-5)),

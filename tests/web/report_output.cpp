@@ -135,6 +135,41 @@ TEST_CASE("a file that is no sound result is refused with what to do", "[report]
     CHECK_THAT(own.err, ContainsSubstring("would replace it"));
 }
 
+TEST_CASE("report refuses options of parts that are not asked for", "[report]")
+{
+    TemporaryFolder const folder;
+    auto const done = hdconj_run("report --with wedm --tilt 0.2 --revolution 7 --no-curve -o page.html", folder.path());
+    INFO(done.err);
+    CHECK(done.status == 2);
+    CHECK_THAT(done.err, ContainsSubstring("3 faults\n--tilt: ") && ContainsSubstring("--revolution: ") &&
+                             ContainsSubstring("write --with contact too") && ContainsSubstring("--no-curve: ") &&
+                             ContainsSubstring("write --with load too"));
+    CHECK_THAT(hdconj_run("report -o page.txt", folder.path()).err, ContainsSubstring("write NAME.html"));
+    CHECK(folder.names().empty());
+}
+
+TEST_CASE("report names the scene that fails", "[report]")
+{
+    TemporaryFolder const folder;
+    REQUIRE(hdconj_run("init good.toml", folder.path()).status == 0);
+    std::string narrow = content(folder / "good.toml");
+    std::string const key = "radial_deformation = ";
+    narrow.insert(narrow.find(key) + key.size(), "10");
+    write(folder / "bad.toml", narrow);
+    auto const bad = hdconj_run("report good.toml bad.toml --json", folder.path());
+    INFO(bad.err);
+    CHECK(bad.status == 2);
+    CHECK_THAT(bad.err, ContainsSubstring("in bad.toml\nbad.toml line "));
+    CHECK(json::parse(bad.out).at("scene") == "good.toml, bad.toml");
+    CHECK(json::parse(bad.out).at("faults").at(0).at("origin") == "bad.toml");
+    auto const failed =
+        hdconj_run("report good.toml --set circular_spline.backlash_offset=0.065 --json", folder.path());
+    INFO(failed.err);
+    CHECK(failed.status == 1);
+    CHECK(failed.err.starts_with("hdconj: good.toml: "));
+    CHECK(json::parse(failed.out).at("scene") == "good.toml");
+}
+
 TEST_CASE("report --json says what was written and left out", "[report]")
 {
     TemporaryFolder const folder;

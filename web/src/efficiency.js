@@ -26,7 +26,7 @@ function gridAt(losses, temperature) {
     && warm[i] === temperature)));
   if (torques.length < 2 || speeds.length < 2 || at.flat().includes(-1)) return null;
   const last = at[0][torques.length - 1];
-  return { torque: torques, speed: speeds, lost: at.map((row) => row.map((i) => input[i] * (1 - efficiency[i]))),
+  return { torque: torques, speed: speeds, lost: at.map((row) => row.map((i) => input[i] * (1 - (efficiency[i] || 0)))),
     error: at.map((row) => row.map((i) => error[i] || 0)), ideal: efficiency[last] * input[last] / torque[last] };
 }
 
@@ -45,12 +45,14 @@ function between(grid, values, torque, speed) {
   return along(values[j]) + b * (along(values[j + 1]) - along(values[j]));
 }
 
-/** From the torque lost, which is nearly straight in torque and speed as efficiency is not.
+/** From the torque lost, which is nearly straight in torque and speed as efficiency is not. Without torque and losses
+ * its limit, because it is not determined there.
  * @param {Grid} grid
- * @param {number} torque @param {number} speed */
+ * @param {number} torque @param {number} speed @returns {number} */
 function efficiencyAt(grid, torque, speed) {
   const ideal = grid.ideal * torque, lost = between(grid, grid.lost, torque, speed);
-  return ideal + lost > 0 ? ideal / (ideal + lost) : 1;
+  if (ideal + lost > 0) return ideal / (ideal + lost);
+  return torque > 0 ? 1 : efficiencyAt(grid, 1e-6 * grid.torque[grid.torque.length - 1], speed);
 }
 
 /** @param {number[]} list @param {number} i */

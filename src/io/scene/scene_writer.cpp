@@ -34,12 +34,23 @@ std::string float_text(double value)
     return is_whole ? text + ".0" : text;
 }
 
+bool has_tables(toml::array const& array)
+{
+    return std::any_of(array.begin(), array.end(), [](toml::node const& item) { return item.is_table(); });
+}
+
 std::string value_text(toml::node const& node)
 {
     if (auto const* const number = node.as_floating_point())
         return float_text(number->get());
     if (auto const* const text = node.as_string())
         return string_text(text->get());
+    if (auto const* const array = node.as_array(); array != nullptr && !array->empty() && !has_tables(*array)) {
+        std::string items;
+        for (auto const& item : *array)
+            items += (items.empty() ? "[ " : ", ") + value_text(item);
+        return items + " ]";
+    }
     std::ostringstream stream;
     node.visit([&stream](auto const& value) { stream << value; });
     return std::move(stream).str();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "hdconj/error.hpp"
 #include "hdconj/report.hpp"
@@ -45,6 +46,19 @@ Faults check_report(Scene const& scene)
         return {};
     return {{"wave_generator.family", 0, "wanted", "the neutral curve is not known, and a report shows the drive on it",
              "write hdconj solve SCENE --completed DRIVE.toml, and report DRIVE.toml"}};
+}
+
+Faults check_report(ReportOptions const& options)
+{
+    Faults faults = check_options(options.contact);
+    for (auto const& [option, is_given, part] :
+         {std::tuple{"--tilt", !options.contact.tilts.empty(), ReportPart::contact},
+          std::tuple{"--revolution", options.contact.revolution != 0, ReportPart::contact},
+          std::tuple{"--no-curve", !options.load.curve, ReportPart::load}})
+        if (is_given && !is_asked(options, part))
+            faults.push_back({option, 0, "", fmt::format("is of the part {}, which is not asked for", to_string(part)),
+                              fmt::format("write --with {} too, or leave it out", to_string(part))});
+    return faults;
 }
 
 ReportedDrive report_drive(Scene const& scene, ReportOptions const& options, StageObserver const& on_stage,

@@ -69,6 +69,8 @@ void write_efficiency(Page& page, RunLosses const& losses)
     page.line(
         "  input: torque that drives the wave generator, at torque 0 the no-load running torque; behind it what "
         "is lost of it");
+    if (std::ranges::any_of(losses.efficiency, [](EfficiencyRow const& each) { return each.input_torque == 0; }))
+        page.line("  efficiency -: not determined, because without torque and losses neither side has power");
 }
 
 void write_losses(Page& page, RunLosses const& losses)

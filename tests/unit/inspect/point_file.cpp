@@ -138,12 +138,15 @@ TEST_CASE("points and polylines of a drawing are read, in the unit of the drawin
     }
 }
 
-TEST_CASE("one report holds every fault of a file of points, up to twenty", "[inspect]")
+TEST_CASE("one report lists twenty faults of a file of points and counts the others", "[inspect]")
 {
     std::string text = "x,y\n";
     for (int i = 0; i < 100; ++i)
         text += "a,b\n";
-    CHECK(read_points(text).faults.size() == 20);
+    Faults const faults = read_points(text).faults;
+    REQUIRE(faults.size() == 21);
+    CHECK(faults[19].line == 11);
+    CHECK(faults[20].reason == "180 more faults are not listed");
 }
 
 TEST_CASE("points that are none of the part are refused", "[inspect]")

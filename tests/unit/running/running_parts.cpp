@@ -230,6 +230,8 @@ TEST_CASE("without losses the efficiency is 1, and a constant loss takes all of 
     EfficiencyRow const none = running::efficiency_at(loss_model({}), run, 100, 40);
     CHECK(none.efficiency == 1);
     CHECK(none.input_torque == 10);
+    run.torque = 0;
+    CHECK(std::isnan(running::efficiency_at(loss_model({}), run, 100, 40).efficiency));
     Friction friction;
     friction.seal = 5;
     double last = -1;

@@ -72,6 +72,7 @@ TEST_CASE("faults of --set say so", "[scene]")
     CHECK(wrong_value.path == "flexspline.wall");
     CHECK(wrong_value.value == "-1");
     CHECK(wrong_value.line == 0);
+    CHECK(only_fault({"wedm.passes=[0.02, 0.03, 0]"}).value == "[ 0.02, 0.03, 0 ]");
     auto const wrong_key = only_fault({"flexspline.wal=1"});
     CHECK(wrong_key.origin == "--set");
     auto const crossed = only_fault({"drive.circular_spline_teeth=203"});

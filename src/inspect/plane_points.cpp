@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plane_points.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "base/text.hpp"
+#include "evaluation.hpp"
+#include "file/listed_faults.hpp"
+#include "flank_fit.hpp"
+#include "hdconj/error.hpp"
+#include "registration.hpp"
+
+namespace hdconj::inspect {
+
+PlanePoints points_on(std::vector<double> const& z, PointFile const& measured)
+{
+    PlanePoints on;
+    std::set<std::tuple<double, double, double, int, std::optional<bool>>> known;
+    for (std::size_t i = 0; i < measured.points.size(); ++i) {
+        PartPoint const& point = measured.points[i];
+        auto const near = std::min_element(
+            z.begin(), z.end(), [&](double a, double b) { return std::abs(a - point.z) < std::abs(b - point.z); });
+        if (measured.has_z && std::abs(*near - point.z) > plane_thickness)
+            continue;
+        if (!known.emplace(point.where.x(), point.where.y(), point.z, point.tooth, point.right).second) {
+            ++on.repeated;
+            continue;
+        }
+        on.points.push_back({point.where, static_cast<std::size_t>(near - z.begin()), point.right});
+        on.origin.push_back(i);
+    }
+    return on;
+}
+
+void refuse_numbers(PointFile const& measured, NominalPart const& part)
+{
+    file::ListedFaults faults(measured.file);
+    for (PartPoint const& point : measured.points)
+        if (point.tooth > part.teeth)
+            faults.add({"column tooth", point.line, std::to_string(point.tooth),
+                        fmt::format("the part has {} {}", part.teeth, part.space ? "spaces" : "teeth"),
+                        fmt::format("write a number from 1 to {}", part.teeth), measured.file});
+    faults.refuse();
+}
+
+void refuse_exchanged_flanks(PlanePoints const& on, PointReader const& read, std::string const& file, int threads)
+{
+    constexpr double clearly = 0.5;  // of the distance to the flank that is named: deviations may be wide
+    Registered bare{read, on.points, Registration::turn, threads};
+    for (PlanePoint& point : bare.points)
+        point.right.reset();
+    Placement const at{near_turn(bare), Vec2::Zero()};
+    auto const views = views_of(read, bare.points, at, threads);
+    std::size_t named = 0, opposite = 0;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        auto const& right = on.points[i].right;
+        named += right ? 1U : 0U;
+        if (!right || *right == views[i].right)
+            continue;
+        double const own = std::abs(read.on_flank(on.points[i], at, views[i].tooth, *right).deviation);
+        opposite += std::abs(views[i].deviation) < clearly * own ? 1U : 0U;
+    }
+    if (2 * opposite > named)
+        throw InputError(
+            Fault{"column flank", 0, "",
+                  fmt::format("{} of {} points stand on the flank opposite to the one that they name", opposite, named),
+                  fmt::format("exchange left and right: with the axis below, the right flank of a {} is "
+                              "the clockwise one",
+                              read.part().space ? "space" : "tooth"),
+                  file});
+}
+
+void refuse_foreign_points(PlanePoints const& on, std::vector<PointView> const& views, NominalPart const& part,
+                           std::string const& file)
+{
+    double const near = part.pitch() * part.planes.front().reference_radius / 4;
+    auto const count = std::count_if(views.begin(), views.end(),
+                                     [&](PointView const& view) { return view.on && std::abs(view.deviation) < near; });
+    if (2 * count >= std::ptrdiff_t(views.size()))
+        return;
+    double low = on.points.front().where.norm(), high = low;
+    for (PlanePoint const& point : on.points) {
+        low = std::min(low, point.where.norm());
+        high = std::max(high, point.where.norm());
+    }
+    throw InputError(Fault{"POINTS", 0, file,
+                           fmt::format("{} of {} points stand on a flank of the part: they lie {} ... {} mm from the "
+                                       "axis, the middle of the nominal flanks {} mm",
+                                       count, views.size(), short_number(low), short_number(high),
+                                       short_number(part.planes.front().reference_radius)),
+                           "give points in mm about the axis of the part, and the part by --part"});
+}
+
+void refuse_mixed_teeth(PlanePoints const& on, std::vector<PointView> const& views, PointFile const& measured,
+                        NominalPart const& part)
+{
+    std::map<int, std::map<int, std::size_t>> places;  // by the number in the file, then by the tooth of the part
+    for (std::size_t i = 0; i < views.size(); ++i)
+        if (int const named = measured.points[on.origin[i]].tooth; named > 0 && views[i].on)
+            ++places[named][views[i].tooth];
+    char const *const one = part.space ? "space" : "tooth", *const several = part.space ? "spaces" : "teeth";
+    file::ListedFaults faults(measured.file);
+    std::map<int, int> known;
+    for (auto const& [named, teeth] : places) {
+        auto const most = std::ranges::max_element(teeth, {}, [](auto const& each) { return each.second; });
+        std::size_t all = 0;
+        for (auto const& [tooth, count] : teeth)
+            all += count;
+        std::string reason;
+        if (2 * most->second < all)
+            reason = fmt::format("the points of this {} stand on {} {} of the part", one, teeth.size(), several);
+        else if (auto const [there, is_new] = known.emplace(most->first, named);
+                 !is_new && most->second >= fewest_points)
+            reason = fmt::format("the points of this {} stand on that of number {}", one, there->second);
+        if (!reason.empty())
+            faults.add({"column tooth", 0, std::to_string(named), reason,
+                        fmt::format("write into each line the number of its {}, or leave the column out", one),
+                        measured.file});
+    }
+    faults.refuse();
+}
+
+}  // namespace hdconj::inspect

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The points that are evaluated, and whether they are of the part and of the teeth and flanks that they name.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "hdconj/inspect.hpp"
+#include "placement.hpp"
+
+namespace hdconj::inspect {
+
+/// The points of the planes that are evaluated, and where each stands in the file.
+struct PlanePoints
+{
+    std::vector<PlanePoint> points;
+    std::vector<std::size_t> origin;
+    std::size_t repeated = 0;  ///< points left out, because the same stands in the file before
+};
+
+/// The points of the planes @p z, each once.
+[[nodiscard]] PlanePoints points_on(std::vector<double> const& z, PointFile const& measured);
+
+/// @throws InputError where a point names a tooth that @p part has not
+void refuse_numbers(PointFile const& measured, NominalPart const& part);
+
+/// @throws InputError where most points that name a flank are clearly nearer to the other flank, wherever the part is
+/// turned to
+void refuse_exchanged_flanks(PlanePoints const& on, PointReader const& read, std::string const& file, int threads);
+
+/// @throws InputError where most points stand on no flank: those of another part, of another unit or about another axis
+void refuse_foreign_points(PlanePoints const& on, std::vector<PointView> const& views, NominalPart const& part,
+                           std::string const& file);
+
+/// @throws InputError where the points that name one tooth stand on several, or two named teeth are one
+void refuse_mixed_teeth(PlanePoints const& on, std::vector<PointView> const& views, PointFile const& measured,
+                        NominalPart const& part);
+
+}  // namespace hdconj::inspect
