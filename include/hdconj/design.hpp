@@ -32,7 +32,7 @@ struct DesignWishes
     std::optional<double> poissons_ratio;        ///< of the flexspline's steel
     double land = 0.4;                           ///< least tip land of either member, in modules
     double clearance = 0;                        ///< side clearance of each flank of the circular spline [mm]
-    double safety = 1.25;                        ///< least fatigue strength over largest stress
+    double safety = 1.2;                         ///< least fatigue strength over largest stress
     std::string name = "designed";               ///< of the drive
 };
 

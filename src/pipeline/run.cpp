@@ -58,9 +58,11 @@ std::vector<PlannedSequence> planned_sequences(Scene const& scene, running::RunT
     auto const add = [&](RunSpan span, int period, int positions, bool under_torque) {
         sequences.push_back({running::whole_pitch_plan(span, period, positions), under_torque});
     };
-    sequences.push_back({running::tooth_pitch_plan(task.positions), false});
+    running::SpanPlan pitch = running::tooth_pitch_plan(task.positions);
+    pitch.repeats = !rings.held && !rings.turning;
+    sequences.push_back({pitch, false});
     if (elastic)
-        sequences.push_back({running::tooth_pitch_plan(task.positions), true});
+        sequences.push_back({pitch, true});
     if (rings.held || rings.turning) {
         int const period = rings.held ? held : turning;
         add(RunSpan::input_turn, period, first_contacts_each * task.positions, false);

@@ -86,11 +86,15 @@ void add_amplitude_error(RunOrder& order, double error)
 /// Orders above the highest one look like lower ones: with N positions jN + k for every j like k. An error with kinks
 /// has amplitudes that fall as c/k^2, with c from the upper half of the orders; all that look like k come to
 /// c((pi/N)^2/sin(pi k/N)^2 - 1/k^2). None where the positions are all there are.
-void enter_orders(RunSequence& sequence, SpanPlan const& plan, RunningMotion const& motion)
+/// @param drift  of the error over the span: a straight line through it is no part of the orders [rad]
+void enter_orders(RunSequence& sequence, SpanPlan const& plan, RunningMotion const& motion, double drift)
 {
-    double const per_input = motion.held_teeth() / plan.period;
-    for (Harmonic const& each : harmonics_of(sequence, column(sequence.positions, &RunPosition::error), per_input,
-                                             highest_order(sequence, plan, motion.pitch())))
+    double const per_input = motion.held_teeth() / plan.period, begin = sequence.positions.front().angle;
+    std::vector<double> values;
+    for (RunPosition const& each : sequence.positions)
+        values.push_back(each.error - drift * (each.angle - begin) / (plan.period * motion.pitch()));
+    for (Harmonic const& each :
+         harmonics_of(sequence, values, per_input, highest_order(sequence, plan, motion.pitch())))
         sequence.orders.push_back(
             {each.order * per_input, each.order * per_input * motion.ratio(), each.amplitude, each.phase});
     auto const count = static_cast<double>(sequence.positions.size());
@@ -140,7 +144,8 @@ void enter_torque(RunSequence& sequence, RunningMotion const& motion)
 
 }  // namespace
 
-void enter_figures(RunSequence& sequence, SpanPlan const& plan, RunningMotion const& motion)
+void enter_figures(RunSequence& sequence, SpanPlan const& plan, RunningMotion const& motion,
+                   std::optional<double> drift)
 {
     Spread const all = spread_of(column(sequence.positions, &RunPosition::error));
     sequence.peak_to_peak = all.peak_to_peak;
@@ -150,7 +155,8 @@ void enter_figures(RunSequence& sequence, SpanPlan const& plan, RunningMotion co
         sequence.peak_to_peak_error = std::max(sequence.peak_to_peak_error, all.peak_to_peak - half.peak_to_peak);
         sequence.rms_error = std::max(sequence.rms_error, std::abs(all.rms - half.rms));
     }
-    enter_orders(sequence, plan, motion);
+    if (drift)
+        enter_orders(sequence, plan, motion, *drift);
     if (sequence.torque != 0)
         enter_torque(sequence, motion);
 }

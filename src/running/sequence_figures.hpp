@@ -2,6 +2,8 @@
 // What the positions of a sequence come to, and how sure it is.
 #pragma once
 
+#include <optional>
+
 #include "running_motion.hpp"
 #include "span_plan.hpp"
 
@@ -10,7 +12,11 @@ namespace hdconj::running {
 /// Enters orders, peak to peak, rms, and the figures of the torque. Errors are those of the positions: how peak to peak
 /// and rms change at most where either half of them, every second one, is left out; of an order, what higher ones look
 /// like it. Those of the torque are the differences of both of its ways, that of its mean also the difference from T/i.
-void enter_figures(RunSequence& sequence, SpanPlan const& plan, RunningMotion const& motion);
+/// @param drift  of the error over a span that does not repeat, taken out of the orders [rad]; nothing: it is not
+/// known,
+///               and there are no orders
+void enter_figures(RunSequence& sequence, SpanPlan const& plan, RunningMotion const& motion,
+                   std::optional<double> drift = 0.0);
 
 /// Adds the error of the grid: what peak to peak and rms of the difference of both grids come to, times @p safety. Two
 /// grids may agree by chance in a single position or order: these get no less than what is usual, with a larger factor.

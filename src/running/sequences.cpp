@@ -16,6 +16,21 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// How much the error has changed where @p sequence would begin anew; nothing where that has no result.
+template <class Act>
+std::optional<double> drift_of(RunSequence const& sequence, SpanPlan const& plan, Act act)
+{
+    if (plan.repeats)
+        return 0;
+    try {
+        return act(plan.pitches.front() + plan.period).error - sequence.positions.front().error;
+    } catch (NumericalError const& error) {
+        if (!error.is_infeasible())
+            throw;
+        return std::nullopt;
+    }
+}
+
 /// Places of a sequence one after the other; those that @p act has no result for are told and left out.
 template <class Act>
 RunSequence along(SpanPlan const& plan, RunningMotion const& motion, double torque, SequenceObserver const& observer,
@@ -44,7 +59,7 @@ RunSequence along(SpanPlan const& plan, RunningMotion const& motion, double torq
             observer.on_position();
     }
     if (sequence.positions.size() > 2)
-        enter_figures(sequence, plan, motion);
+        enter_figures(sequence, plan, motion, drift_of(sequence, plan, act));
     sequence.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     return sequence;
 }

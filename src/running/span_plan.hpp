@@ -14,6 +14,7 @@ struct SpanPlan
     RunSpan span = RunSpan::tooth_pitch;
     std::vector<double> pitches;  ///< that the wave generator has turned at each position, increasing
     double period = 1;            ///< after which all comes again [pitches]
+    bool repeats = true;          ///< false: all but what errors of the rings do
 };
 
 /// Positions over one tooth pitch, even.

@@ -161,6 +161,24 @@ TEST_CASE("half a turn of the wave generator leaves no odd order of errors of th
     }
 }
 
+TEST_CASE("over a tooth pitch the slope of an eccentricity is no order of the mesh", "[running]")
+{
+    auto const pitch_orders = [](Keys keys) {
+        keys.push_back("circular_spline.backlash_offset=0.02");
+        return sequence(unloaded(keys, 16), RunSpan::tooth_pitch, false).orders;
+    };
+    std::vector<RunOrder> const alone = pitch_orders({});
+    for (int const phase : {0, 60, 120}) {
+        INFO(phase);
+        std::vector<RunOrder> const found =
+            pitch_orders({"errors.circular_spline.eccentricity=0.005",
+                          "errors.circular_spline.eccentricity_phase_deg=" + std::to_string(phase)});
+        REQUIRE(found.size() == alone.size());
+        for (std::size_t k = 1; k < found.size(); ++k)
+            CHECK(found[k].amplitude < alone[k].amplitude + 0.04 * arcsec);
+    }
+}
+
 TEST_CASE("an eccentricity shows once where both zones are at odds, with less than itself", "[running]")
 {
     constexpr double eccentricity = 0.005;
