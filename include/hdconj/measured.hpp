@@ -61,7 +61,7 @@ struct MeasuredStiffness
     Estimate loop_width;  ///< angle where the load has gone, from the positive side less from the negative one [rad]
     Estimate friction_width;  ///< of the loop's width what friction makes [rad]; count 0: too few samples near zero
     Estimate backlash;  ///< of the loop's width the rest, the jump between both sides [rad]; without friction_width
-                        ///< the whole loop
+                        ///< the whole loop, or, with friction above no_load, as the stiffness not determined: count 0
     Estimate first;     ///< stiffness of the first stage, over the loading branches that have a bend [N mm/rad]
     Estimate second;    ///< stiffness of the second stage [N mm/rad]
     Estimate knee;      ///< torque where they meet [N mm]
@@ -84,9 +84,9 @@ inline constexpr double near_zero = 0.12;  ///< up to here the unloading branch 
 /// out first. Where a part of the cycle is repeated, an even drift of the angle is found and taken out. The width of
 /// the loop is found for each cycle: a straight line through the samples of each unloading branch between no_load and
 /// near_zero is extended to zero torque. With fewer than three samples there, it goes through the two nearest to zero.
-/// Backlash is the jump between two parallel lines where a branch passes through zero. The rest of the width is
-/// friction. Stiffness is found for each loading branch: stiffness_stages() of the angle over the torque, with negative
-/// branches turned round.
+/// Backlash is the jump between two parallel lines where a branch passes from one side to the other, at zero torque or,
+/// with friction, beyond it. The rest of the width is friction. Stiffness is found for each loading branch:
+/// stiffness_stages() of the angle over the torque, with negative branches turned round.
 /// @throws InputError where the samples are no such loop: one sign only, no unloading, torque that falls with the angle
 [[nodiscard]] MeasuredStiffness measured_stiffness(MeasuredCurve const& curve);
 

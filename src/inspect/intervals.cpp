@@ -15,6 +15,28 @@ constexpr double outside = 0.05;  // of 95 %
 /// Neumann 1941 for first differences).
 constexpr double differences_per_freedom = 35.0 / 18;
 
+auto ends_of(std::vector<Candidate> const& candidates)
+{
+    return std::minmax_element(candidates.begin(), candidates.end(),
+                               [](auto const& a, auto const& b) { return a.value < b.value; });
+}
+
+/// How many pairs of candidates may differ by @p range and more, found for a pair of @p variance. Pairs are counted by
+/// their ends, each against the other extreme.
+std::size_t rival_pairs(std::vector<Candidate> const& candidates, double range, double variance,
+                        Intervals const& intervals)
+{
+    auto const [low, high] = ends_of(candidates);
+    double const single = intervals.half_width(variance);
+    std::size_t below = 0, above = 0;
+    for (Candidate const& each : candidates) {
+        double const reach = single + intervals.half_width(each.variance + std::max(low->variance, high->variance));
+        below += high->value - each.value > range - reach ? 1U : 0U;
+        above += each.value - low->value > range - reach ? 1U : 0U;
+    }
+    return below * above;
+}
+
 }  // namespace
 
 Intervals::Intervals(double squares, std::size_t differences, double systematic) : systematic_(systematic)
@@ -45,19 +67,29 @@ LargestFigure largest_of(std::vector<Candidate> const& candidates, Intervals con
 
 FigureRange range_of(std::vector<Candidate> const& candidates, Intervals const& intervals)
 {
-    auto const [low, high] = std::minmax_element(candidates.begin(), candidates.end(),
-                                                 [](auto const& a, auto const& b) { return a.value < b.value; });
+    auto const [low, high] = ends_of(candidates);
     double const variance = low == high ? 0 : low->variance + high->variance;
-    double const range = high->value - low->value, single = intervals.half_width(variance);
-    // pairs are counted by their ends, each against the other extreme
-    std::size_t below = 0, above = 0;
-    for (Candidate const& each : candidates) {
-        double const reach = single + intervals.half_width(each.variance + std::max(low->variance, high->variance));
-        below += high->value - each.value > range - reach ? 1U : 0U;
-        above += each.value - low->value > range - reach ? 1U : 0U;
-    }
-    std::size_t const pairs = std::max<std::size_t>(1, below) * std::max<std::size_t>(1, above);
+    double const range = high->value - low->value;
+    std::size_t const pairs = std::max<std::size_t>(1, rival_pairs(candidates, range, variance, intervals));
     return {{range, intervals.half_width(variance, pairs)}, low->tooth, high->tooth};
+}
+
+LargestFigure largest_range_of(std::vector<std::vector<Candidate>> const& groups, Intervals const& intervals)
+{
+    double range = -1, variance = 0;
+    int tooth = 0;
+    for (auto const& group : groups) {
+        auto const [low, high] = ends_of(group);
+        if (high->value - low->value <= range)
+            continue;
+        range = high->value - low->value;
+        variance = low == high ? 0 : low->variance + high->variance;
+        tooth = high->tooth;
+    }
+    std::size_t pairs = 0;
+    for (auto const& group : groups)
+        pairs += rival_pairs(group, range, variance, intervals);
+    return {{range, intervals.half_width(variance, std::max<std::size_t>(1, pairs))}, tooth};
 }
 
 }  // namespace hdconj::inspect

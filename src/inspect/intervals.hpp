@@ -61,4 +61,9 @@ struct FigureRange
 /// Domain: at least one candidate.
 [[nodiscard]] FigureRange range_of(std::vector<Candidate> const& candidates, Intervals const& intervals);
 
+/// The largest range of several groups, here flanks, and whose it is; rivals are the pairs of all groups whose
+/// difference may be the largest. Domain: at least one group, and one candidate in each.
+[[nodiscard]] LargestFigure largest_range_of(std::vector<std::vector<Candidate>> const& groups,
+                                             Intervals const& intervals);
+
 }  // namespace hdconj::inspect

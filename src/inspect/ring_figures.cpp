@@ -41,13 +41,13 @@ double difference_variance(RingData const& data, FlankFit const& a, FlankFit con
            data.variance_of(position_row(data, b) - position_row(data, a));
 }
 
-/// The range of values along a flank: each point has the variance 1.
-Uncertain range_along(std::vector<double> const& values, Intervals const& intervals)
+/// Values along a flank of @p tooth: each point has the variance 1.
+std::vector<Candidate> along(std::vector<double> const& values, int tooth)
 {
     std::vector<Candidate> candidates;
     for (double const value : values)
-        candidates.push_back({value, 1, 0});
-    return range_of(candidates, intervals).figure;
+        candidates.push_back({value, 1, tooth});
+    return candidates;
 }
 
 /// What the registration's error adds to the variance of a tooth's radial shift.
@@ -124,6 +124,7 @@ SideFigures figures_of_side(RingData const& data, std::vector<FlankFigures> cons
     found.flanks = side.size();
     std::vector<Uncertain const*> slopes, crownings;
     std::vector<Candidate> positions;
+    std::vector<std::vector<Candidate>> remainders, deviations;  // by flank
     double slope_variance = 0, crowning_variance = 0;
     Eigen::Matrix3d by_registration = Eigen::Matrix3d::Zero();
     for (std::size_t const i : side) {
@@ -134,15 +135,14 @@ SideFigures figures_of_side(RingData const& data, std::vector<FlankFigures> cons
         crowning_variance += data.fits[i].covariance(2, 2);
         by_registration += data.by_registration(data.fits[i]);
         positions.push_back({each.position.value, position_variance(data, data.fits[i]), each.tooth});
-        if (each.form.value > found.form.value || found.form_tooth == 0) {
-            found.form = each.form;
-            found.form_tooth = each.tooth;
-        }
-        if (each.total.value > found.total.value || found.total_tooth == 0) {
-            found.total = each.total;
-            found.total_tooth = each.tooth;
-        }
+        remainders.push_back(along(data.fits[i].parabola.remainder, each.tooth));
+        deviations.push_back(along(data.fits[i].parabola.deviation, each.tooth));
     }
+    LargestFigure const form = largest_range_of(remainders, intervals), total = largest_range_of(deviations, intervals);
+    found.form = form.figure;
+    found.form_tooth = form.tooth;
+    found.total = total.figure;
+    found.total_tooth = total.tooth;
     found.slope = mean_of(slopes, slope_variance + 4 * data.variance_of(by_registration.row(1)), intervals);
     found.crowning = mean_of(crownings, crowning_variance + data.variance_of(by_registration.row(2)), intervals);
     auto const pitches = pitches_of(data, side);
@@ -172,12 +172,12 @@ std::vector<FlankFigures> flank_figures(RingData const& data, Intervals const& i
         Eigen::Matrix3d const by_registration = data.by_registration(fit);
         figures.push_back({data.z[fit.group.plane], data.number[i], fit.group.right, parabola.points.size(),
                            intervals.figure(position_of(data, fit), position_variance(data, fit)),
-                           range_along(parabola.deviation, intervals),
+                           range_of(along(parabola.deviation, 0), intervals).figure,
                            intervals.figure(2 * parabola.coefficient[1],
                                             4 * (fit.covariance(1, 1) + data.variance_of(by_registration.row(1)))),
                            intervals.figure(-parabola.coefficient[2],
                                             fit.covariance(2, 2) + data.variance_of(by_registration.row(2))),
-                           range_along(parabola.remainder, intervals)});
+                           range_of(along(parabola.remainder, 0), intervals).figure});
     }
     return figures;
 }

@@ -26,6 +26,8 @@ struct Side
     [[nodiscard]] double about_mean_yy() const { return yy - y * y / n; }
 };
 
+constexpr std::size_t least = 3;  // readings on one side
+
 struct Fit
 {
     double height = 0, squares = std::numeric_limits<double>::infinity(), factor = 0;
@@ -42,26 +44,94 @@ Fit lines_beside(Side const& low, Side const& high)
             1 / low.n + 1 / high.n + apart * apart / xx};
 }
 
-}  // namespace
-
-std::optional<Jump> jump_at_zero(Samples const& samples, LoadBranch const& branch, double largest_torque)
+/// Readings of a branch by ascending torque, without those that have no load.
+std::vector<std::size_t> loaded_readings(Samples const& samples, LoadBranch const& branch, double no_load)
 {
-    constexpr std::size_t least = 3;
-    constexpr double clear = 5;  // standard errors: beyond what the best of some hundred places reaches by chance
     std::vector<std::size_t> at;
-    std::size_t positive = 0;
-    for (std::size_t i = branch.first; i <= branch.last; ++i) {
-        double const share = std::abs(samples.torque[i]) / largest_torque;
-        if (share >= measured_at::no_load && share <= measured_at::near_zero) {
+    for (std::size_t i = branch.first; i <= branch.last; ++i)
+        if (std::abs(samples.torque[i]) >= no_load)
             at.push_back(i);
-            positive += samples.torque[i] > 0 ? 1 : 0;
+    std::ranges::stable_sort(at, {}, [&](std::size_t i) { return samples.torque[i]; });
+    return at;
+}
+
+/// The torque about which two parallel lines, of the readings up to @p window to either side, are furthest apart.
+/// @param at  readings by ascending torque
+/// @returns nothing where the branch does not reach so far beyond @p from and @p to, or no torque between them has
+/// enough readings on both sides
+std::optional<double> place_of_jump(Samples const& samples, std::vector<std::size_t> const& at, double from, double to,
+                                    double window)
+{
+    std::optional<double> place;
+    double highest = 0;
+    auto const torque = [&](std::size_t k) { return samples.torque[at[k]]; };
+    if (at.empty() || torque(0) > from - window || torque(at.size() - 1) < to + window)
+        return std::nullopt;
+    for (std::size_t split = least; split + least <= at.size(); ++split) {
+        double const middle = std::midpoint(torque(split - 1), torque(split));
+        if (middle < from || middle > to)
+            continue;
+        Side low, high;
+        auto const add = [&](Side& side, std::size_t k) {
+            side.add((torque(k) - middle) / window, samples.twist[at[k]] - samples.twist[at[split]]);
+        };
+        for (std::size_t k = split; k-- > 0 && torque(k) >= middle - window;)
+            add(low, k);
+        for (std::size_t k = split; k < at.size() && torque(k) <= middle + window; ++k)
+            add(high, k);
+        if (std::min(low.n, high.n) < least)
+            continue;
+        double const height = lines_beside(low, high).height;
+        if (!place || height > highest) {
+            place = middle;
+            highest = height;
         }
     }
-    auto const [from, to] = std::minmax(samples.torque[branch.first], samples.torque[branch.last]);
-    double const window = measured_at::near_zero * largest_torque;
-    if (from > -window || to < window || positive < least || at.size() - positive < least)
+    return place;
+}
+
+}  // namespace
+
+double friction_torque(Samples const& samples, std::vector<LoadBranch> const& branches)
+{
+    std::vector<double> halves;
+    for (std::size_t b = 0; b + 1 < branches.size(); ++b) {
+        std::vector<std::size_t> next(branches[b + 1].last - branches[b + 1].first + 1);
+        std::iota(next.begin(), next.end(), branches[b + 1].first);
+        auto const twist = [&](std::size_t i) { return samples.twist[i]; };
+        std::ranges::stable_sort(next, {}, twist);
+        for (std::size_t i = branches[b].first; i <= branches[b].last; ++i) {
+            auto const above = std::ranges::upper_bound(next, samples.twist[i], {}, twist);
+            if (above == next.begin() || above == next.end())
+                continue;
+            std::size_t const low = above[-1], high = *above;
+            double const share = (samples.twist[i] - samples.twist[low]) / (samples.twist[high] - samples.twist[low]);
+            double const half = (samples.torque[i] - std::lerp(samples.torque[low], samples.torque[high], share)) / 2;
+            halves.push_back(branches[b].rising ? half : -half);
+        }
+    }
+    if (halves.empty())
+        return 0;
+    auto const middle = halves.begin() + static_cast<std::ptrdiff_t>(halves.size() / 2);
+    std::ranges::nth_element(halves, middle);
+    return std::max(0.0, *middle);
+}
+
+std::optional<Jump> jump_of_play(Samples const& samples, LoadBranch const& branch, double largest_torque,
+                                 double friction)
+{
+    constexpr double clear = 5;      // standard errors: beyond what the best of some hundred places reaches by chance
+    constexpr double spread = 1.25;  // of the friction about its median
+    double const window = measured_at::near_zero * largest_torque, beside = window / 2, still = window / 4;
+    std::vector<std::size_t> at = loaded_readings(samples, branch, measured_at::no_load * largest_torque);
+    auto const place = branch.rising ? place_of_jump(samples, at, -beside, spread * friction + beside, window)
+                                     : place_of_jump(samples, at, -spread * friction - beside, beside, window);
+    if (!place)
         return std::nullopt;
-    std::ranges::stable_sort(at, {}, [&](std::size_t i) { return samples.torque[i]; });
+    double const centre = std::abs(*place) > still ? *place : 0;
+    std::erase_if(at, [&](std::size_t i) { return std::abs(samples.torque[i] - centre) > window; });
+    if (at.size() < 2 * least)
+        return std::nullopt;
     double mean = 0;
     for (std::size_t const i : at)
         mean += samples.twist[i] / static_cast<double>(at.size());

@@ -17,16 +17,24 @@ struct Jump
     double engaged = 0;  ///< torque of the first sample beyond it, without sign [N mm]
 };
 
+/// Torque that friction takes: half the difference between a branch and the next one at equal angles, the median of all
+/// readings [N mm]. Coulomb friction T_f gives T_f, also where an angle lies within the backlash.
+[[nodiscard]] double friction_torque(Samples const& samples, std::vector<LoadBranch> const& branches);
+
 /// The jump of the angle where a branch passes from one side of the backlash to the other [rad, positive].
 ///
 /// With Coulomb friction T_f the elastic torque is T - T_f on the way up, so that the drive crosses the backlash at
 /// T = T_f, not at zero, and the loop at zero torque is wider than the backlash by twice T_f over the stiffness. The
-/// jump itself is the backlash, whatever the friction. Two parallel lines are fitted to the samples with
-/// |T| <= measured_at::near_zero of the largest torque, one below the jump and one above; the jump is put between the
-/// two samples that leave the least squares. Samples below measured_at::no_load are left out: without load the drive
-/// may lie anywhere in its backlash.
-/// @returns nothing where the branch does not pass through all of these torques, or has fewer than three samples of
-/// either sign there
-[[nodiscard]] std::optional<Jump> jump_at_zero(Samples const& samples, LoadBranch const& branch, double largest_torque);
+/// jump itself is the backlash, whatever the friction. It is looked for from zero to the friction and somewhat beyond:
+/// where two parallel lines, of the samples within measured_at::near_zero of the largest torque to either side, are
+/// furthest apart. The lines are then fitted to the samples about that place (about zero, where it is less than a
+/// quarter of near_zero away), one below the jump and one above; the jump is put between the two samples that leave the
+/// least squares. Samples below measured_at::no_load are left out: without load the drive may lie anywhere in its
+/// backlash.
+/// @param friction  as friction_torque() finds it [N mm]
+/// @returns nothing where the branch does not pass through all of these torques, or has fewer than three samples on
+/// either side there
+[[nodiscard]] std::optional<Jump> jump_of_play(Samples const& samples, LoadBranch const& branch, double largest_torque,
+                                               double friction);
 
 }  // namespace hdconj::rig

@@ -112,6 +112,16 @@ double smallest_step(std::vector<double> values)
     return step;
 }
 
+double rounding_of(std::vector<double> const& values, double step)
+{
+    constexpr double beside = 0.1;  // of a step: the step itself is known so well
+    bool const lattice = step > 0 && std::ranges::all_of(values, [&](double each) {
+                             double const steps = (each - values.front()) / step;
+                             return std::abs(steps - std::round(steps)) < beside;
+                         });
+    return lattice ? step / std::sqrt(12.0) : 0;
+}
+
 std::vector<std::size_t> stray_readings(MeasuredCurve const& curve)
 {
     std::vector<bool> stray(curve.twist.size());

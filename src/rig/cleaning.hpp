@@ -13,6 +13,9 @@ namespace hdconj::rig {
 /// The smallest difference of two values; two that differ by less than 1e-9 of their range are one. Domain: not empty.
 [[nodiscard]] double smallest_step(std::vector<double> values);
 
+/// Standard deviation of rounding to @p step, step/sqrt(12), where all values lie on a lattice of that step; 0 else.
+[[nodiscard]] double rounding_of(std::vector<double> const& values, double step);
+
 /// Positions of the stray readings, ascending: those that leave the run of their neighbours in angle or torque.
 ///
 /// Hampel's filter: a reading is compared with the median of the seven readings about it. It is a stray where it

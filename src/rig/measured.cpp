@@ -201,7 +201,8 @@ Samples kept_samples(MeasuredCurve const& curve, std::vector<std::size_t> const&
 
 /// Backlash, width of the loop and friction of all branches.
 /// @param drift_error  standard error of the drift [rad per reading]
-void add_loop(Collected const& all, double drift_error, MeasuredStiffness& result)
+/// @param rounding     standard deviation of an angle by the encoder's steps, which all branches may share [rad]
+void add_loop(Collected const& all, double drift_error, double rounding, MeasuredStiffness& result)
 {
     std::size_t const cycles = std::min(all.positive.size(), all.negative.size());
     result.cycles = static_cast<int>(cycles);
@@ -215,10 +216,12 @@ void add_loop(Collected const& all, double drift_error, MeasuredStiffness& resul
         apart += (all.negative_time[i] - all.positive_time[i]) / static_cast<double>(cycles);
     }
     result.loop_width = mean_of(widths);
-    result.loop_width.error = std::hypot(result.loop_width.error, drift_error * apart);
+    double const of_both = std::numbers::sqrt2 * rounding;  // a width and a jump have two ends
+    result.loop_width.error = std::hypot(result.loop_width.error, drift_error * apart, of_both);
     result.backlash = all.jumps.empty() ? result.loop_width : mean_of(all.jumps);
     if (all.jumps.empty())
         return;
+    result.backlash.error = std::hypot(result.backlash.error, of_both);
     // Width and jumps share half of their lines, so that the variance of the width counts half.
     double const error = std::hypot(result.loop_width.error / std::numbers::sqrt2, result.backlash.error);
     result.friction_width = {result.loop_width.value - result.backlash.value, error, result.cycles};
@@ -238,6 +241,7 @@ MeasuredStiffness measured_stiffness(MeasuredCurve const& curve)
         refuse(curve, "the torque has one sign only, or nearly so", "write a whole load cycle: 0, T, 0, -T, 0");
     check_sense(curve, samples);
     result.angle_step = rig::smallest_step(samples.twist);
+    double const rounding = rig::rounding_of(samples.twist, result.angle_step);
     auto const branches = rig::branches_of(samples.torque, measured_at::reversal * result.largest_torque);
     Found drift;
     if (auto const found = rig::drift_of(samples, branches, result.largest_torque)) {
@@ -250,8 +254,9 @@ MeasuredStiffness measured_stiffness(MeasuredCurve const& curve)
     BranchLimits limits{measured_at::loaded * std::min(-low, high), measured_at::no_load * result.largest_torque,
                         drift.error};
     Collected all;
+    double const friction = rig::friction_torque(samples, branches);
     for (auto const& branch : branches) {
-        if (auto const jump = rig::jump_at_zero(samples, branch, result.largest_torque)) {
+        if (auto const jump = rig::jump_of_play(samples, branch, result.largest_torque, friction)) {
             all.jumps.push_back(jump->height);
             limits.engaged = jump->seen ? std::max(limits.engaged, jump->engaged) : limits.engaged;
         }
@@ -263,12 +268,17 @@ MeasuredStiffness measured_stiffness(MeasuredCurve const& curve)
                std::string("the load is never taken off from the ") + (all.positive.empty() ? "positive" : "negative") +
                    " side",
                "write a whole load cycle: 0, T, 0, -T, 0; without unloading there is no width of the loop");
-    add_loop(all, drift.error, result);
+    add_loop(all, drift.error, rounding, result);
     result.first = mean_of(all.first);
     result.second = mean_of(all.second);
     result.knee = mean_of(all.knee);
     result.whole = mean_of(all.whole);
     result.straight = all.straight;
+    // Nobody knows at which torque the flanks meet: all of these may contain the play and the friction.
+    if (all.jumps.empty() && friction > measured_at::no_load * result.largest_torque) {
+        result.backlash = result.first = result.second = result.knee = result.whole = {};
+        result.straight = 0;
+    }
     return result;
 }
 

@@ -161,6 +161,14 @@ def test_indices_of_a_sum(tmp_path):
     assert list(table["first"]) == pytest.approx([0.9, 0.1], abs=0.05)
     assert list(table["total"]) == pytest.approx([0.9, 0.1], abs=0.05)
     assert [file.name for file in draw_all(found)][-1] == "indices.png"
+    assert table.attrs["blocks"] == {"y": 128}
+
+    # A study that runs, or has lost a shard: what is left of its blocks is not taken for whole ones.
+    gone = found.frame["sample"].between(30, 44)
+    found.frame = found.frame[~gone].reset_index(drop=True)
+    part = found.indices()
+    assert part.attrs["blocks"] == {"y": 123}  # samples 28 to 47 are those of five
+    assert list(part["total"]) == pytest.approx([0.9, 0.1], abs=0.05)
 
 
 def test_an_error_that_was_not_estimated_is_no_number():

@@ -177,7 +177,8 @@ class Study:
         """First and total indices of Sobol of every figure, with half widths of their 95 % interval.
 
         A ``pandas.DataFrame`` with the columns figure, key, first, first_error, total, total_error; the key with the
-        largest total index of a figure matters most. Blocks with a drive that could not be made are left out.
+        largest total index of a figure matters most. Blocks in which a drive is missing or could not be made are left
+        out; ``attrs["blocks"]`` of the table says how many blocks each figure has.
         """
         import pandas
         from SALib.analyze import sobol
@@ -187,17 +188,22 @@ class Study:
         keys = [key.path for key in self.recipe.keys]
         width = len(keys) + 2
         problem = {"num_vars": len(keys), "names": keys, "bounds": [[0, 1]] * len(keys)}
-        found = []
+        sample = np.asarray(self.frame["sample"], dtype=int)
+        found: list[tuple[Any, ...]] = []
+        used: dict[str, int] = {}
         for name, _ in self.recipe.figures:
-            column = np.asarray(self.frame[name], dtype=float)
-            blocks = column[: len(column) // width * width].reshape(-1, width)
+            blocks = np.full((sample.max(initial=-1) // width + 1, width), np.nan)  # rows may be missing
+            blocks[sample // width, sample % width] = np.asarray(self.frame[name], dtype=float)
             whole = blocks[np.isfinite(blocks).all(axis=1)]
+            used[name] = len(whole)
             if len(whole) < 2 or np.ptp(whole) == 0:
                 continue
             made = sobol.analyze(problem, whole.reshape(-1), calc_second_order=False, seed=self.recipe.seed)
             for i, key in enumerate(keys):
                 found.append((name, key, made["S1"][i], made["S1_conf"][i], made["ST"][i], made["ST_conf"][i]))
-        return pandas.DataFrame(found, columns=["figure", "key", "first", "first_error", "total", "total_error"])
+        table = pandas.DataFrame(found, columns=["figure", "key", "first", "first_error", "total", "total_error"])
+        table.attrs["blocks"] = used
+        return table
 
     def status(self) -> dict[str, Any]:
         """How far the study is."""

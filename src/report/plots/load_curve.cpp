@@ -73,7 +73,8 @@ PlotColumns rig_figures(Measurement const& measured)
     figures.row(measured.curve.rig.angle_per_spline != 1, found.cycles, found.backlash.value * per_arcmin,
                 found.backlash.error * per_arcmin, found.first.count, found.first.value * per_newton_metre_per_deg,
                 found.first.error * per_newton_metre_per_deg, found.second.value * per_newton_metre_per_deg,
-                found.second.error * per_newton_metre_per_deg, found.knee.value * per_newton_metre);
+                found.second.error * per_newton_metre_per_deg, found.knee.value * per_newton_metre,
+                found.backlash.count > 0);
     return figures;
 }
 

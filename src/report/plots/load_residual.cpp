@@ -11,11 +11,14 @@
 namespace hdconj::report {
 namespace {
 
-/// Twist of the rig's two straight lines, or its one line, from half of the loop on.
+/// Twist of the rig's two straight lines, or its one line, from half of the loop on; half of the loop alone where
+/// neither is determined.
 double twist_of_lines(MeasuredStiffness const& found, double torque)
 {
     double const size = std::abs(torque), half = found.loop_width.value / 2;
     bool const bent = found.first.count > 0;
+    if (!bent && found.whole.count == 0)
+        return std::copysign(half, torque);
     double const first = bent ? found.first.value : found.whole.value, knee = bent ? found.knee.value : size;
     double const elastic = size <= knee ? size / first : knee / first + (size - knee) / found.second.value;
     return std::copysign(half + elastic, torque);

@@ -9,7 +9,7 @@
 #include "hdconj/error.hpp"
 #include "hdconj/wavegen/cosine_cam.hpp"
 #include "support/catch.hpp"
-#include "support/solved_field.hpp"
+#include "unit/elastic/solved_field.hpp"
 
 namespace hdconj::test::bent_cup_cases {
 

@@ -9,7 +9,7 @@
 #include "elastic/bent_cup.hpp"
 #include "hdconj/error.hpp"
 #include "support/catch.hpp"
-#include "support/solved_field.hpp"
+#include "unit/elastic/solved_field.hpp"
 
 namespace hdconj::test::cup_details_cases {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "support/catch.hpp"
-#include "support/solved_field.hpp"
+#include "unit/elastic/solved_field.hpp"
 
 namespace hdconj::test::unit_fields_cases {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rings whose errors are known: without noise each figure comes back, with noise its interval holds it.
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -257,6 +258,49 @@ TEST_CASE("the intervals of a noisy ring hold the figures of the same ring witho
     CAPTURE(held, all, held_extremes, extremes);
     CHECK(std::abs(share - 0.95) <= 0.03);
     CHECK(share_of_extremes >= 0.92);
+}
+
+TEST_CASE("the intervals of the largest form and total deviation hold the largest true ones", "[inspect]")
+{
+    constexpr int rings = 200, kinds = 4;
+    std::array<int, kinds> held{}, all{};
+    for (int i = 0; i < rings; ++i) {
+        designs::Draws draws(6000 + static_cast<std::uint64_t>(i));
+        MeasuredRing ring;
+        ring.teeth = small_ring;
+        for (int tooth = 0; tooth < small_ring; tooth += 3)
+            ring.measured.push_back(tooth);
+        ring.points = 8 + i % 3 * 4;
+        auto const kind = static_cast<std::size_t>(i % kinds);
+        auto const count = [&](Uncertain const& figure, double truth) {
+            held[kind] += std::abs(figure.value - truth) <= figure.error ? 1 : 0;
+            ++all[kind];
+        };
+        // in turn a perfect ring, one worst flank, and flanks that are all bad
+        bool const errors = kind > 1;
+        give_errors(ring, draws, errors ? 2e-3 : 0);
+        if (!errors) {
+            ring.left.assign(ring.measured.size(), {});
+            ring.right = ring.left;
+            ring.left[2].slope = kind == 1 ? 5e-3 : 0;
+        }
+        ring.noise = 1e-3;
+        Inspection const found = inspected(ring, draws, Registration::datum);
+        REQUIRE(found.sides.size() == 2);
+        for (SideFigures const& side : found.sides) {
+            double form = 0, total = 0;
+            for (FlankErrors const& made : side.right ? ring.right : ring.left) {
+                form = std::max(form, made.form_range);
+                total = std::max(total, made.total);
+            }
+            count(side.form, form);
+            count(side.total, total);
+        }
+    }
+    for (std::size_t kind = 0; kind < kinds; ++kind) {
+        CAPTURE(kind, held[kind], all[kind]);
+        CHECK(held[kind] >= 0.95 * all[kind]);
+    }
 }
 
 }  // namespace hdconj::test::inspect_rings_cases

@@ -86,6 +86,45 @@ TEST_CASE("friction widens the loop and is told from backlash", "[load][measured
     }
 }
 
+TEST_CASE("friction of any size does not change backlash and stages", "[load][measured]")
+{
+    for (int const per_branch : {30, 200})
+        for (double const share : {0.02, 0.035, 0.06, 0.1, 0.125, 0.18, 0.25})
+            for (double const noise : {0.0, 0.02}) {
+                Rig rig;
+                rig.per_branch = per_branch;
+                rig.coulomb = share * rig.torque + 1;
+                rig.angle_noise = noise * minute;
+                INFO(per_branch << " readings a branch, friction " << rig.coulomb / nm << " N m, noise " << noise);
+                auto const found = measured_stiffness(rig_loop(rig));
+                check_near(found.backlash, rig.drive.backlash, 1e-9 + 4 * found.backlash.error);
+                check_near(found.friction_width, 2 * rig.coulomb / rig.drive.first,
+                           1e-9 + 4 * found.friction_width.error);
+                CHECK(found.backlash.error < 0.1 * minute);
+                check_near(found.first, rig.drive.first, (0.001 + noise) * rig.drive.first);
+                check_near(found.second, rig.drive.second, (0.001 + noise) * rig.drive.second);
+                check_near(found.knee, rig.drive.knee + rig.coulomb, 0.02 * rig.drive.knee);
+            }
+}
+
+TEST_CASE("where friction hides the play, backlash and stiffness are not determined", "[load][measured]")
+{
+    Rig rig;
+    rig.coulomb = 0.9 * rig.torque;  // the flanks meet where the branch ends
+    for (bool const coarse : {false, true}) {
+        if (coarse) {
+            rig.per_branch = 9;
+            rig.coulomb = 0.2 * rig.torque;
+        }
+        auto const found = measured_stiffness(rig_loop(rig));
+        CHECK(found.loop_width.count > 0);
+        for (auto const& each :
+             {found.backlash, found.friction_width, found.first, found.second, found.knee, found.whole})
+            CHECK(each.count == 0);
+        CHECK(found.straight == 0);
+    }
+}
+
 TEST_CASE("a loop of friction alone has no backlash", "[load][measured]")
 {
     Rig rig;
@@ -185,6 +224,21 @@ TEST_CASE("with noise and an encoder's steps what is found lies within its own u
         }
     }
     CHECK(outside_three <= 3 * tries / 20);
+}
+
+TEST_CASE("coarse steps of an encoder are in the error of the loop and of backlash", "[load][measured]")
+{
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        Rig rig;
+        rig.drive.backlash = (5 + 0.03 * seed) * minute;
+        rig.angle_step = 0.3 * minute;  // all branches round to the same side
+        rig.angle_noise = 0.02 * minute;
+        rig.seed = seed;
+        auto const found = measured_stiffness(rig_loop(rig));
+        check_near(found.loop_width, rig.drive.backlash, 2 * found.loop_width.error);
+        check_near(found.backlash, rig.drive.backlash, 2 * found.backlash.error);
+        CHECK(found.loop_width.error < rig.angle_step);
+    }
 }
 
 TEST_CASE("a curve written by hand has play and stiffness too", "[load][measured]")

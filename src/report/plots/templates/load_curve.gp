@@ -9,7 +9,8 @@
 #   $cases     of each case: backlash [arcmin], stiffness of both stages [N m/deg], torque of the knee [N m],
 #              1 where there are two stages, "name"
 #   $rig       what the rig gave: 1 where it is of the cup, cycles, backlash and its error [arcmin], number of stages
-#              found, stiffness of both with their errors [N m/deg], torque of the knee [N m]
+#              found, stiffness of both with their errors [N m/deg], torque of the knee [N m], 1 where the
+#              backlash is determined
 # Variables: shown: number of the case that the other pictures show, from 1; play: its backlash if that is drawn
 # [arcmin], else 0
 
@@ -21,8 +22,8 @@ case_words(i) = sprintf("%s:  backlash %.3g′", word($cases[i], 6), case(i, 1))
     ? sprintf(",  %.4g and %.4g N m/°,  knee at %.3g N m", case(i, 2), case(i, 3), case(i, 4)) \
     : case(i, 2) != 0 ? sprintf(",  %.4g N m/°,  no knee", case(i, 2)) : "")
 rig(k) = word($rig[1], k) + 0
-rig_words(i) = sprintf("measured%s, %d cycle%s:  backlash %.2f ± %.2f′", \
-    rig(1) ? " at the cup" : "", rig(2), rig(2) == 1 ? "" : "s", rig(3), rig(4)) . (rig(5) == 0 ? "" \
+rig_words(i) = sprintf("measured%s, %d cycle%s:  backlash ", rig(1) ? " at the cup" : "", rig(2), \
+    rig(2) == 1 ? "" : "s") . (rig(11) ? sprintf("%.2f ± %.2f′", rig(3), rig(4)) : "not determined") . (rig(5) == 0 ? "" \
     : sprintf(",  %.1f ± %.1f and %.1f ± %.1f N m/°,  knee at %.3g N m", rig(6), rig(7), rig(8), rig(9), rig(10)))
 
 panel_bottom = 552
