@@ -90,7 +90,7 @@ def test_the_lock_is_released():
 
 CONED = SOURCE / "data/scenes/type-50-coned.toml"
 LONG_WORK = {
-    "load": lambda: hdconj.load(),
+    "load": lambda: hdconj.load(points=300),
     "contact": lambda: hdconj.contact(CONED, tilts_deg=[0.01 * i for i in range(99)]),
     "accuracy": lambda: hdconj.accuracy(),
     "design": lambda: [hdconj.design(100, diameter=50, torque=28) for _ in range(20)],
