@@ -81,7 +81,9 @@ void write_calculix(elastic::BentCup const& cup, std::filesystem::path const& fo
 void check_calculix(std::filesystem::path const& folder);
 
 /// Figures of the cup, and what was written of it, as one JSON object; keys in docs/reference/json.md.
-/// @param error  that elastic_cup_error() returns for @p cup
+/// @param cup      the bent cup
+/// @param error    that elastic_cup_error() returns for @p cup
+/// @param written  files that were written
 [[nodiscard]] std::string summary_json(elastic::BentCup const& cup, BentCupError const& error,
                                        std::vector<WrittenFile> const& written);
 
