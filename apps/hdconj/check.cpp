@@ -9,6 +9,7 @@
 #include "hdconj/read_scene.hpp"
 #include "hdconj/running.hpp"
 #include "hdconj/wavegen/registry.hpp"
+#include "hdconj/wire_files.hpp"
 #include "run_verb.hpp"
 
 namespace hdconj::cli {
@@ -43,8 +44,10 @@ Plan plan_of(CheckArguments const& own, Scene const& scene)
 
 int run_check(CommonOptions const& common, CheckArguments const& own)
 {
-    auto const reading = examine(common);
-    refuse(reading.faults);
+    auto reading = examine(common);
+    if (reading.scene.wedm)
+        append(reading.faults, check_named_dialects(reading.scene));
+    refuse(std::move(reading.faults));
     // the limits of a design are those of a neutral curve that is known
     Notes const notes = reading.scene.wants_neutral_curve() ? Notes{} : judge(reading.scene);
     Work<Plan> work;

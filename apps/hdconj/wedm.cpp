@@ -4,9 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
 
 #include "arguments.hpp"
@@ -15,7 +12,6 @@
 #include "hdconj/result_files.hpp"
 #include "hdconj/scene/reading.hpp"
 #include "hdconj/solve.hpp"
-#include "hdconj/units.hpp"
 #include "hdconj/wire_files.hpp"
 #include "run_verb.hpp"
 
@@ -96,82 +92,13 @@ WireInput stored(CommonOptions const& common, WireArguments const& own)
     return {std::move(reading.scene), {}, std::move(result)};
 }
 
-/// The largest distance of the ends of @p ring from the contour that @p cut cuts, at their heights [mm].
-double off_the_cut(CircularSplineOutline const& ring, WireProgram const& cut)
-{
-    double most = 0;
-    PairedContour const& contour = cut.nominal;
-    auto const measure = [&](std::vector<Vec2> const& points, double z) {
-        double const share = 0.5 + z / cut.machine.thickness;
-        std::vector<Vec2> line;
-        for (std::size_t i = 0; i <= contour.lower.size(); ++i) {
-            std::size_t const k = i % contour.lower.size();
-            line.emplace_back(contour.lower[k] + share * (contour.upper[k] - contour.lower[k]));
-        }
-        for (Vec2 const& p : points) {
-            double nearest = std::numeric_limits<double>::infinity();
-            for (std::size_t i = 1; i < line.size(); ++i) {
-                Vec2 const way = line[i] - line[i - 1];
-                double const at = std::clamp((p - line[i - 1]).dot(way) / way.squaredNorm(), 0.0, 1.0);
-                nearest = std::min(nearest, (p - line[i - 1] - at * way).squaredNorm());
-            }
-            most = std::max(most, std::sqrt(nearest));
-        }
-    };
-    measure(ring.outline.front(), ring.z.front());
-    measure(ring.outline.back(), ring.z.back());
-    return most;
-}
-
-/// What the ring of the case @p stored in the file @p name has in place of that of @p scene, which @p cut cuts; empty
-/// where both are the same.
-std::string case_warning(StoredOutline const& stored, std::string const& name, Scene const& scene,
-                         WireProgram const& cut)
-{
-    auto const& z = stored.outline.z;
-    double const lower = stored.outline.outline.front().front().norm();  // the tip circle, in the middle of a land
-    double const upper = stored.outline.outline.back().front().norm();
-    double const own_lower = cut.figures.lower.inner, own_upper = cut.figures.upper.inner;
-    double const lean = z.size() > 1 ? std::atan((upper - lower) / (z.back() - z.front())) : 0;
-    double const own_lean = std::atan((own_upper - own_lower) / cut.machine.thickness);
-    double const own_clearance = scene.circular_spline.backlash_offset;
-    bool const is_known = stored.side_clearance && !scene.circular_spline.automatic_backlash;
-    std::vector<std::string> found, keys;
-    auto const compare = [&](std::string const& what, double value, double own, std::string const& key) {
-        if (std::abs(value - own) <= cut.contour_error)
-            return;
-        found.push_back(
-            fmt::format("{} of {:.6f} in place of {:.6f} mm ({:+.4g} um)", what, value, own, (value - own) * per_um));
-        keys.push_back(fmt::format("{} = {:.6f}", key, value));
-    };
-    compare("a side clearance", is_known ? *stored.side_clearance : own_clearance, own_clearance,
-            "circular_spline.backlash_offset");
-    compare("a tip circle at z = 0", (lower + upper) / 2, (own_lower + own_upper) / 2, "circular_spline.inner_radius");
-    if (std::abs(lean - own_lean) * cut.machine.thickness > cut.contour_error) {
-        found.push_back(fmt::format("a tilt of {:.4f} in place of {:.4f} degrees", to_deg(lean), to_deg(own_lean)));
-        keys.push_back(fmt::format("tilt.angle_deg = {:.6g}", to_deg(lean)));
-    }
-    double const off = off_the_cut(stored.outline, cut);
-    if (found.empty() && off <= cut.tolerance)
-        return {};
-    found.push_back(fmt::format("an outline up to {:.3g} um off the one that is cut", off * per_um));
-    return fmt::format("{} holds the ring of a case of {}, with {}; the wire cuts the ring of the stored scene{}", name,
-                       stored.verb, fmt::join(found, ", "),
-                       keys.empty() || !stored.side_clearance
-                           ? ""
-                           : fmt::format("; for a ring with these write {} into the scene and leave --from out",
-                                         fmt::join(keys, ", ")));
-}
-
 WireInput input_for(CommonOptions const& common, WireArguments const& own)
 {
     CommonOptions const all = with_keys(common, own);
     WireInput input = own.from.empty() ? WireInput{load_scene(all), {}, {}} : stored(all, own);
     Faults faults = check_wedm(input.scene);
-    if (faults.empty() && own.dialects.empty()) {
-        faults = check_dialects(named_dialects(input.scene), "wedm.dialects");
-        scene::locate(faults, input.scene);
-    }
+    if (faults.empty() && own.dialects.empty())
+        faults = check_named_dialects(input.scene);
     refuse(std::move(faults));
     return input;
 }
@@ -185,9 +112,14 @@ WireSetUps programs_of(WireInput const& input, std::string const& from, StageObs
     if (input.outline)
         return {wire_program(input.scene, *input.outline)};
     WireSetUps programs = wire_set_ups(input.scene, on_stage);
-    if (input.of_case)
-        if (auto const told = case_warning(*input.of_case, from, input.scene, programs.front()); !told.empty())
-            programs.front().warnings.push_back(told);
+    if (!input.of_case)
+        return programs;
+    StoredOutline const& stored = *input.of_case;
+    if (auto const told = other_ring(stored.outline, stored.side_clearance, input.scene, programs.front());
+        !told.empty())
+        programs.front().warnings.push_back(fmt::format(
+            "{} holds the ring of a case of {}; the wire cuts the ring of the stored scene, and that case has {}", from,
+            stored.verb, told));
     return programs;
 }
 

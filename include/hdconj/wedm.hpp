@@ -222,6 +222,16 @@ using WireSetUps = std::vector<WireProgram>;
 /// @throws InputError also where the slices are not those of the workpiece's faces
 [[nodiscard]] WireProgram wire_program(Scene const& scene, CircularSplineOutline const& outline);
 
+/// What a ring that was solved before has in place of the one that is cut, in words: side clearance, tip circle, tilt,
+/// and how far its ends are off the contour [um]. Lengths closer than the contour's error are the same. Where the side
+/// clearance is known, also which keys of the scene give that ring. Empty where both are the same.
+/// @param ring            the other one, its slices from -T/2 to +T/2
+/// @param side_clearance  that @p ring includes [mm]; nothing: not known
+/// @param scene           that @p cut was made of
+/// @param cut             what the wire cuts
+[[nodiscard]] std::string other_ring(CircularSplineOutline const& ring, std::optional<double> side_clearance,
+                                     Scene const& scene, WireProgram const& cut);
+
 /// All set-ups of the part that [wedm] names: the circular spline has one.
 ///
 /// A wire around the flexspline would cut what holds it. The flexspline is therefore cut in two set-ups of half the

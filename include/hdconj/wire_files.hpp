@@ -84,6 +84,9 @@ struct WireFile
 /// @param place     option or key that names them, for messages
 [[nodiscard]] Faults check_dialects(std::vector<std::string> const& dialects, std::string const& place = "--dialect");
 
+/// Dialects of wedm.dialects that are not known, at their place in the scene, which has a table [wedm].
+[[nodiscard]] Faults check_named_dialects(Scene const& scene);
+
 /// What can be known before the long work.
 /// @param folder    that the files will stand in
 /// @param dialects  empty: all that fit

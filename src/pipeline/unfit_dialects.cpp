@@ -6,6 +6,7 @@
 #include <optional>
 #include <sstream>
 
+#include "hdconj/scene/reading.hpp"
 #include "hdconj/solve.hpp"
 #include "hdconj/wire_files.hpp"
 
@@ -57,6 +58,13 @@ std::vector<std::string> named_dialects(Scene const& scene)
 {
     std::istringstream words(scene.wedm->dialects);
     return {std::istream_iterator<std::string>(words), {}};
+}
+
+Faults check_named_dialects(Scene const& scene)
+{
+    Faults faults = check_dialects(named_dialects(scene), "wedm.dialects");
+    scene::locate(faults, scene);
+    return faults;
 }
 
 void settle_unfit_dialects(WireSetUps& programs, Scene const& scene, std::vector<std::string> const& dialects,

@@ -76,6 +76,7 @@ TEST_CASE("a wrong command line is refused", "[program]")
     check_bad_input(hdconj_run("contact --tlit=0.1"), "Did you mean --tilt?");
     check_bad_input(hdconj_run("solve --tolerence 1e-7"), "--set solver.tolerance=VALUE");
     check_bad_input(hdconj_run("check --for load --treads 1"), "Did you mean --threads?");
+    check_bad_input(hdconj_run("check --set wedm.dialects=xyz"), "no dialect is called so");
     check_bad_input(hdconj_run("--versoin"), "Did you mean --version?");
     CHECK_FALSE(contains(hdconj_run("check --bogus").err, "Did you mean"));
 }

@@ -216,6 +216,18 @@ def test_a_refused_command_writes_nothing(tmp_path, monkeypatch, capsys, words, 
     assert before == {file: file.read_bytes() for file in tmp_path.rglob("*") if file.is_file()}
 
 
+def test_best_says_that_no_drive_keeps_the_constraints(tmp_path, capsys):
+    (tmp_path / "study.toml").write_text(
+        GOOD.replace("count = 8", "count = 2") + '[constraints]\nland = { max = 0.0 }\n[objectives]\nland = "max"\n'
+    )
+    study.run(tmp_path / "study.toml", tmp_path / "made", jobs=1, progress=False)
+    assert main(["best", str(tmp_path / "made"), "--scene", str(tmp_path / "best.toml")]) == 1
+    said = capsys.readouterr()
+    assert "none of its drives keeps all constraints" in said.err
+    assert not said.out
+    assert not (tmp_path / "best.toml").exists()
+
+
 @pytest.mark.parametrize("about", ["{}", "[1]", "3", "null", '{"kind": 3}', "{"])
 def test_a_folder_whose_study_json_is_none_is_refused(tmp_path, capsys, about):
     (tmp_path / "study.toml").write_text(GOOD)

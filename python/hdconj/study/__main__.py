@@ -72,18 +72,23 @@ def print_status(study: Any) -> None:
             print(f"{name}: {most['key']} matters most, total index {most['total']:.3f} +- {most['total_error']:.3f}")
 
 
-def print_best(study: Any, options: argparse.Namespace) -> None:
-    """Prints the best drives and writes what was asked for."""
+def print_best(study: Any, options: argparse.Namespace) -> bool:
+    """Prints the best drives and writes what was asked for; whether there is any."""
     wants_rows_only = options.csv and not options.scene and not study.recipe.objectives
     table = None if wants_rows_only else study.best(options.n)
     if options.csv:
         study.to_csv(options.csv)
     if table is None:
-        return
+        return True
+    if table.empty:
+        why = "keeps all constraints" if study.recipe.constraints else "can be made"
+        print(f"hdconj study: {study.folder.place}: none of its drives {why}", file=sys.stderr)
+        return False
     errors = [name for name in table.columns if name.endswith("_error") and table[name].isna().all()]
     print(table.drop(columns=[*errors, "code", "stage", "place", "cause"]).to_string(index=False, float_format=_number))
-    if options.scene and len(table):
+    if options.scene:
         study.folder.write_scene(Path(options.scene), study.recipe.scene_of(study.values(table.iloc[0])))
+    return True
 
 
 def _stop_at_once_at_the_second_interrupt() -> None:
@@ -115,7 +120,8 @@ def _run(options: argparse.Namespace) -> None:
         print_status(open_study(options.folder))
 
 
-def _act(options: argparse.Namespace) -> None:
+def _act(options: argparse.Namespace) -> bool:
+    """Does what a command asks for; whether it found what it looks for."""
     from ._study import open as open_study
 
     if options.verb in ("run", "optimise"):
@@ -133,12 +139,13 @@ def _act(options: argparse.Namespace) -> None:
     elif options.verb == "status":
         print_status(open_study(options.what))
     elif options.verb == "best":
-        print_best(open_study(options.what), options)
+        return print_best(open_study(options.what), options)
     else:
         from ._pictures import draw_all
 
         for file in draw_all(open_study(options.what), options.folder):
             print(f"wrote {file}")
+    return True
 
 
 def _failed(error: Exception, options: argparse.Namespace) -> str:
@@ -167,7 +174,7 @@ def _status(options: argparse.Namespace) -> int:
         print(f"hdconj study: the package {error.name} is missing; {PACKAGES}", file=sys.stderr)
         return 1
     try:
-        _act(options)
+        return 0 if _act(options) else 1
     except ImportError as error:
         print(f"hdconj study: the package {error.name} is missing; {PACKAGES}", file=sys.stderr)
         return 1
@@ -178,7 +185,6 @@ def _status(options: argparse.Namespace) -> int:
     except (EngineLost, FileError, OSError) as error:
         print(f"hdconj study: {_failed(error, options)}", file=sys.stderr)
         return 1
-    return 0
 
 
 if __name__ == "__main__":
