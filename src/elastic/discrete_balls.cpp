@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "discrete_balls.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <string>
+
+#include "numeric/dense.hpp"
 
 namespace hdconj::elastic {
 namespace {
@@ -108,13 +109,15 @@ MatrixXd inverse_system(VectorXd const& ring, int sectors, std::vector<double> c
         system.block(size + b, 0, 1, size) = -force_scale[b] * at.transpose();
         system(size + b, size + b) = stiffness ? -force_scale[b] * force_scale[b] / *stiffness : 0;
     }
-    Eigen::PartialPivLU<MatrixXd> const factors(system);
-    constexpr double rounding = 1e-13;  // condition at which no digit of a force would be left
-    if (!(factors.rcond() > rounding))
+    numeric::LU const factors(system);
+    MatrixXd const scaled = factors.is_singular() ? MatrixXd() : factors.inverse();
+    auto const norm = [](MatrixXd const& a) { return a.cwiseAbs().colwise().sum().maxCoeff(); };
+    constexpr double rounding = 1e-13;  // 1/condition at which no digit of a force would be left
+    if (factors.is_singular() || !(1 > rounding * norm(system) * norm(scaled)))
         refuse_bearing("balls", "they stand too close to each other for the harmonics of the ring");
     VectorXd all(size + count);
     all << scale, force_scale;
-    MatrixXd const inverse = all.asDiagonal() * factors.inverse() * all.asDiagonal();
+    MatrixXd const inverse = all.asDiagonal() * scaled * all.asDiagonal();
     return (inverse + inverse.transpose()) / 2;
 }
 

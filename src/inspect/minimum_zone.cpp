@@ -6,12 +6,12 @@
 // solves it. Its basis is one constraint more than there are unknowns, the references, on which the deviations are
 // equal in size. The constraint that is violated most replaces the reference whose multiplier falls to 0 first, so that
 // t grows with each exchange. Placement by placement the program is solved again until its steps are roundings.
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "hdconj/error.hpp"
+#include "numeric/dense.hpp"
 #include "numeric/least_squares.hpp"
 #include "registration.hpp"
 
@@ -49,10 +49,11 @@ std::vector<Reference> first_references(MatrixXd const& rows)
 {
     Index const n = rows.cols();
     numeric::LeastSquares const independent(rows.transpose());
-    MatrixXd chosen(n, n + 1);
-    for (Index i = 0; i <= n; ++i)
+    MatrixXd chosen(n, n);
+    for (Index i = 0; i < n; ++i)
         chosen.col(i) = rows.row(independent.chosen(i)).transpose();
-    VectorXd const weight = Eigen::FullPivLU<MatrixXd>(chosen).kernel().col(0);
+    VectorXd weight(n + 1);
+    weight << numeric::LU(chosen).solve(-rows.row(independent.chosen(n)).transpose()), 1;
     std::vector<Reference> first;
     for (Index i = 0; i <= n; ++i)
         first.push_back({independent.chosen(i), weight[i] < 0 ? -1.0 : 1.0});
@@ -60,7 +61,7 @@ std::vector<Reference> first_references(MatrixXd const& rows)
 }
 
 /// The reference that leaves when @p entering becomes one.
-std::size_t leaving(Eigen::PartialPivLU<MatrixXd> const& transposed, VectorXd const& entering)
+std::size_t leaving(numeric::LU const& transposed, VectorXd const& entering)
 {
     Index const size = entering.size();
     VectorXd const multiplier = transposed.solve(-VectorXd::Unit(size, size - 1));
@@ -100,7 +101,7 @@ VectorXd chebyshev_step(MatrixXd const& rows, VectorXd const& deviations)
     constexpr int most_exchanges = 1000;
     Index const n = rows.cols();
     if (rows.rows() <= n)
-        return rows.fullPivLu().solve(-deviations);
+        return numeric::LeastSquares(rows).solve(VectorXd(-deviations));
     std::vector<Reference> at = first_references(rows);
     double const rounding = 64 * unit_roundoff * deviations.cwiseAbs().maxCoeff();
     for (int exchange = 0; exchange < most_exchanges; ++exchange) {
@@ -111,14 +112,14 @@ VectorXd chebyshev_step(MatrixXd const& rows, VectorXd const& deviations)
             transposed.col(i) = constraint_of(rows, each);
             right[i] = -each.sign * deviations[each.row];
         }
-        VectorXd const solution = transposed.transpose().partialPivLu().solve(right);
+        VectorXd const solution = numeric::LU(transposed.transpose()).solve(right);
         VectorXd const left_over = deviations + rows * solution.head(n);
         Index worst = 0;
         double const largest = left_over.cwiseAbs().maxCoeff(&worst);
         if (largest <= solution[n] + rounding)
             return solution.head(n);
         Reference const entering{worst, left_over[worst] < 0 ? -1.0 : 1.0};
-        at[leaving(transposed.partialPivLu(), constraint_of(rows, entering))] = entering;
+        at[leaving(numeric::LU(transposed), constraint_of(rows, entering))] = entering;
     }
     refuse_endless("the exchange of references does not end");
 }

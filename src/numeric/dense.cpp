@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dense.hpp"
 
+#include <gsl/gsl_linalg.h>
+
 #include <Eigen/Cholesky>
 
 #include <algorithm>
@@ -114,6 +116,37 @@ VectorXd Cholesky::solve(VectorXd const& b) const
     factor_.triangularView<Eigen::Lower>().solveInPlace(x);
     factor_.triangularView<Eigen::Lower>().adjoint().solveInPlace(x);
     return x;
+}
+
+LU::LU(MatrixXd const& a) : factors_(a), order_(static_cast<std::size_t>(a.rows()))
+{
+    auto matrix = gsl_matrix_view_array(factors_.data(), order_.size(), order_.size());
+    gsl_permutation order{order_.size(), order_.data()};
+    int sign = 0;
+    gsl_linalg_LU_decomp(&matrix.matrix, &order, &sign);
+}
+
+bool LU::is_singular() const
+{
+    return (factors_.diagonal().array() == 0).any();
+}
+
+VectorXd LU::solve(VectorXd const& b) const
+{
+    VectorXd x(b.size());
+    for (Index i = 0; i < b.size(); ++i)
+        x[i] = b[static_cast<Index>(order_[static_cast<std::size_t>(i)])];
+    factors_.triangularView<Eigen::UnitLower>().solveInPlace(x);
+    factors_.triangularView<Eigen::Upper>().solveInPlace(x);
+    return x;
+}
+
+MatrixXd LU::inverse() const
+{
+    MatrixXd all(factors_.rows(), factors_.cols());
+    for (Index i = 0; i < all.cols(); ++i)
+        all.col(i) = solve(VectorXd::Unit(all.rows(), i));
+    return all;
 }
 
 }  // namespace hdconj::numeric

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "least_squares.hpp"
 
-#include <Eigen/LU>
+#include "dense.hpp"
 
 namespace hdconj::numeric {
 
@@ -27,7 +27,7 @@ MatrixXd LeastSquares::solve(MatrixXd const& b) const
 
 MatrixXd covariance(MatrixXd const& a)
 {
-    return (a.transpose() * a).inverse();
+    return LU(a.transpose() * a).inverse();
 }
 
 }  // namespace hdconj::numeric

@@ -4,8 +4,8 @@
 
 #include <gsl/gsl_bspline.h>
 #include <gsl/gsl_errno.h>
+#include <gsl/gsl_linalg.h>
 #include <gsl/gsl_version.h>
-#include <Eigen/SparseLU>
 #include <algorithm>
 #include <memory>
 
@@ -90,6 +90,12 @@ class SplineBasis
             visit(k, gsl_matrix_get(values_.get(), k - first, 0), gsl_matrix_get(values_.get(), k - first, 1));
     }
 
+    static void check(int status)
+    {
+        if (status != GSL_SUCCESS)
+            throw NumericalError(ErrorCode::no_solution, "profile", "spline through points", gsl_strerror(status));
+    }
+
   private:
     /// The spline_order splines that are not zero at @p s; GSL 2.8 gave the function another name.
     static int non_zero(double s, std::size_t derivative, gsl_matrix* values, std::size_t* first,
@@ -103,12 +109,6 @@ class SplineBasis
 #endif
     }
 
-    static void check(int status)
-    {
-        if (status != GSL_SUCCESS)
-            throw NumericalError(ErrorCode::no_solution, "profile", "spline through points", gsl_strerror(status));
-    }
-
     std::unique_ptr<gsl_bspline_workspace, Free<gsl_bspline_free>> work_;
     std::unique_ptr<gsl_matrix, Free<gsl_matrix_free>> values_;
 };
@@ -116,22 +116,28 @@ class SplineBasis
 /// Coefficients of the spline that is @p points at the parameters @p s.
 Eigen::MatrixX2d interpolated(SplineBasis& basis, std::vector<double> const& s, std::vector<Vec2> const& points)
 {
-    std::vector<Eigen::Triplet<double>> entries;
+    constexpr std::size_t band = spline_order - 1;  // on either side: spline i is not zero at point i
+    std::unique_ptr<gsl_matrix, Free<gsl_matrix_free>> const matrix(gsl_matrix_calloc(s.size(), 3 * band + 1));
+    std::unique_ptr<gsl_vector_uint, Free<gsl_vector_uint_free>> const rows(gsl_vector_uint_alloc(s.size()));
+    if (!matrix || !rows)
+        throw std::bad_alloc();
     for (std::size_t i = 0; i < s.size(); ++i)
         basis.at(s[i], 0, [&](std::size_t k, double value, double) {
-            entries.emplace_back(static_cast<int>(i), static_cast<int>(k), value);
+            gsl_matrix_set(matrix.get(), k, 2 * band + i - k,
+                           value);  // as GSL keeps a band, with room for exchanged rows
         });
-    auto const size = static_cast<Eigen::Index>(s.size());
-    Eigen::SparseMatrix<double> matrix(size, size);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    Eigen::SparseLU<Eigen::SparseMatrix<double>> const lu(matrix);
-    if (lu.info() != Eigen::Success)
+    SplineBasis::check(gsl_linalg_LU_band_decomp(s.size(), band, band, matrix.get(), rows.get()));
+    Eigen::MatrixX2d solution(static_cast<Eigen::Index>(s.size()), 2);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        solution.row(static_cast<Eigen::Index>(i)) = points[i].transpose();
+    for (Eigen::Index k = 0; k < 2; ++k) {
+        auto column = gsl_vector_view_array(solution.col(k).data(), s.size());
+        SplineBasis::check(gsl_linalg_LU_band_svx(band, band, matrix.get(), rows.get(), &column.vector));
+    }
+    if (!solution.allFinite())
         throw NumericalError(ErrorCode::no_solution, "profile", "spline through points",
                              "the interpolation is singular");
-    Eigen::MatrixX2d right(size, 2);
-    for (std::size_t i = 0; i < points.size(); ++i)
-        right.row(static_cast<Eigen::Index>(i)) = points[i].transpose();
-    return lu.solve(right);
+    return solution;
 }
 
 }  // namespace

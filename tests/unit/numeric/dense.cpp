@@ -89,4 +89,23 @@ TEST_CASE("dense: what is not finite is found with every number of threads", "[d
     }
 }
 
+TEST_CASE("dense: factors with exchanged rows solve to rounding, and tell a matrix without an inverse", "[dense]")
+{
+    for (Index const n : {1, 2, 7, 40, 130}) {
+        MatrixXd a = random_matrix(n, n, static_cast<unsigned>(n));
+        if (n > 1)
+            a(0, 0) = 0;  // a first row that must be exchanged
+        numeric::LU const factors(a);
+        REQUIRE_FALSE(factors.is_singular());
+        VectorXd const b = random_matrix(n, 1, 7).col(0), x = factors.solve(b);
+        double const residual = (a * x - b).norm() / (a.norm() * x.norm() + b.norm());
+        CHECK(residual < 8 * static_cast<double>(n) * unit_roundoff);
+        MatrixXd const inverse = factors.inverse();
+        double const rest = (a * inverse - MatrixXd::Identity(n, n)).norm() / (a.norm() * inverse.norm());
+        CHECK(rest < 8 * static_cast<double>(n) * unit_roundoff);
+        a.col(n - 1).setZero();
+        CHECK(numeric::LU(a).is_singular());
+    }
+}
+
 }  // namespace hdconj::test::dense_cases
