@@ -10,6 +10,7 @@
 
 #ifdef _OPENMP
 #include <omp.h>
+#include <pthread.h>
 
 #include "separate_processors.hpp"
 #endif
@@ -18,9 +19,28 @@
 
 namespace hdconj {
 
+#ifdef _OPENMP
+namespace {
+
+/// Whether this process is a copy, by fork(), of one that had a team of threads. A copy has one thread; a loop of
+/// OpenMP there waits for ever for the others.
+std::atomic<bool> team_is_lost = false;
+
+/// To be called before a team begins.
+void notice_forks()
+{
+    [[maybe_unused]] static int const noticed =
+        pthread_atfork(nullptr, nullptr, [] { team_is_lost.store(true, std::memory_order_relaxed); });
+}
+
+}  // namespace
+#endif
+
 int thread_count(int requested)
 {
 #ifdef _OPENMP
+    if (team_is_lost.load(std::memory_order_relaxed))
+        return 1;
     return requested > 0 ? requested : std::max(1, omp_get_num_procs());
 #else
     (void)requested;
@@ -126,6 +146,7 @@ void parallel_for(std::size_t count, int threads, std::size_t grain, std::functi
     } else {
         auto const n = static_cast<int>(team);
 #ifdef _OPENMP
+        notice_forks();
         SeparateProcessors processors;
 #pragma omp parallel for num_threads(n) schedule(static, 1)
 #endif

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How computations run: threads, Ctrl-C, progress, memory, and what a call costs."""
 
+import multiprocessing
 import os
 import signal
 import statistics
@@ -68,6 +69,19 @@ def test_eight_threads_at_once_give_the_same_bits():
     with ThreadPoolExecutor(8) as pool:
         for number, found in enumerate(pool.map(work, range(8))):
             assert found == [expected[(number + i) % 4] for i in range(8)]
+
+
+def areas_of_contact(scene):
+    return hdconj.contact(scene, errors=False).contact.contact_area.tolist()
+
+
+@pytest.mark.skipif(UNDER_SANITIZER, reason="a sanitizer has threads of its own, which a fork loses")
+def test_a_fork_computes_on_one_thread_what_its_parent_computed_on_several(coned):
+    """A copy of a process has none of its threads, and would wait for them for ever."""
+    scene = coned.with_({"solver.threads": 2})
+    expected = areas_of_contact(scene)
+    with multiprocessing.get_context("fork").Pool(2) as pool:
+        assert pool.map_async(areas_of_contact, [scene, scene]).get(timeout=60) == [expected, expected]
 
 
 def test_the_lock_is_released():

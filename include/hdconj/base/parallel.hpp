@@ -7,7 +7,7 @@
 
 namespace hdconj {
 
-/// Number of threads meant by @p requested; 0 means all cores.
+/// Number of threads meant by @p requested, 0: all cores. It is 1 in a fork() of a process that had a team of threads.
 [[nodiscard]] int thread_count(int requested);
 
 /// What every thread that a loop starts does first, once; of a program that has something to prepare for its threads.
