@@ -287,6 +287,33 @@ def test_another_study_in_the_folder_is_refused(tmp_path):
         study.open(tmp_path / "rows")
 
 
+ORDER = """
+[vary]
+{}
+[sample]
+method = "grid"
+[figures]
+{}
+"""
+
+
+@pytest.mark.parametrize(
+    "keys, figures",
+    [
+        ("b = { list = [3, 4, 5] }\na = { list = [1, 2] }", 'f = "a + b"\ng = "a - b"'),
+        ("a = { list = [1, 2] }\nb = { list = [3, 4, 5] }", 'g = "a - b"\nf = "a + b"'),
+    ],
+)
+def test_another_order_of_keys_or_figures_is_another_study(tmp_path, keys, figures):
+    """Sample i is another drive where the keys stand in another order: rows of both would not make one grid."""
+    first = ORDER.format("a = { list = [1, 2] }\nb = { list = [3, 4, 5] }", 'f = "a + b"\ng = "a - b"')
+    study.run(study.read_recipe(first), tmp_path, jobs=1, progress=False)
+    before = bits(tmp_path)
+    with pytest.raises(hdconj.InputError, match="holds rows of another study"):
+        study.run(study.read_recipe(ORDER.format(keys, figures)), tmp_path, jobs=1, progress=False)
+    assert bits(tmp_path) == before
+
+
 @pytest.mark.parametrize("room", [0, 7000])
 def test_a_full_disk_is_told_and_resumed(expected, tmp_path, room):
     file, folder = write(tmp_path, 90), tmp_path / "study"
@@ -303,6 +330,15 @@ def test_a_full_disk_is_told_and_resumed(expected, tmp_path, room):
     assert not [file for file in folder.rglob(".*")]
     study.run(file, folder, jobs=1, progress=False)
     assert bits(folder) == expected
+
+
+@pytest.mark.parametrize("line", ['sample.count = 2\nscene = "drive.toml"', '"scene" = "drive.toml"  # mine'])
+def test_the_folder_has_a_study_wherever_its_scene_is_named(tmp_path, line):
+    (tmp_path / "drive.toml").write_text(hdconj.Scene().to_toml())
+    file = tmp_path / "s.toml"
+    file.write_text(f'{line}\nvary.a = {{ list = [1, 2] }}\n[figures]\nscene = "a"\n')
+    study.run(file, tmp_path / "out", jobs=1, progress=False)
+    assert "scene" in study.open(tmp_path / "out").frame
 
 
 def test_the_folder_repeats_the_study(expected, tmp_path):

@@ -105,6 +105,8 @@ class Recipe:
         kept["compute"] = {k: v for k, v in kept.get("compute", {}).items() if k != "survivors"}
         kept["optimise"] = {k: v for k, v in kept.get("optimise", {}).items() if k != "generations"}
         kept["scene"] = self.scene.to_dict()
+        # a sample gives its numbers to the keys in their order, and rows have their columns in it
+        kept["order"] = [*(key.path for key in self.keys), *(name for name, _ in (*self.links, *self.figures))]
         words = json.dumps(kept, sort_keys=True, default=str)
         words = renamed(words, {name: checksum(content) for name, content in self.files.items()})
         return hashlib.sha256(words.encode()).hexdigest()

@@ -254,8 +254,10 @@ def _own_scene(recipe: Recipe) -> str:
     """The study's text with the scene that lies beside it, so that the folder alone says everything."""
     if isinstance(recipe.tables.get("scene"), dict):
         return recipe.text
-    given = re.sub(r"\A((?:[ \t]*(?:#[^\n]*)?\n)*)[ \t]*scene[ \t]*=[^\n]*\n", r"\1", recipe.text)
-    return 'scene = "scene.toml"\n' + given
+    head = re.match(r"(?:(?![ \t]*\[)[^\n]*\n)*", recipe.text)  # the lines before the first table
+    end = head.end() if head else 0
+    given = re.sub(r"^[ \t]*[\"']?scene[\"']?[ \t]*=[^\n]*\n", "", recipe.text[:end], flags=re.M)
+    return 'scene = "scene.toml"\n' + given + recipe.text[end:]
 
 
 def machine() -> dict[str, Any]:
