@@ -138,7 +138,7 @@ class Scene:
         return tuple(Fault(*fault) for fault in self._core.faults)
 
     def plan(self, verb: str = "solve") -> dict[str, Any]:
-        """Stages that "solve", "contact" or "load" would run and why, as ``hdconj check --json``."""
+        """Stages that "solve", "contact", "load" or "run" would run and why, as ``hdconj check --json``."""
         plan: dict[str, Any] = json.loads(self._core.check_json(self._source[1], verb))
         return plan
 

@@ -16,6 +16,7 @@
 #include "hdconj/load.hpp"
 #include "hdconj/plan.hpp"
 #include "hdconj/read_scene.hpp"
+#include "hdconj/running.hpp"
 #include "hdconj/scene/schema.hpp"
 #include "hdconj/version.hpp"
 #include "layout.hpp"
@@ -67,14 +68,30 @@ void translate(std::exception_ptr const& thrown, void*)
     }
 }
 
-/// As `hdconj check --json`.
+/// What @p verb would run.
+Plan plan_of(Scene const& scene, std::string const& verb)
+{
+    if (verb == "solve")
+        return make_plan(scene);
+    if (verb != "contact" && verb != "load" && verb != "run")
+        throw InputError(Fault{"verb", 0, verb, "is no verb whose plan is known", "write solve, contact, load or run"});
+    if (scene.wants_neutral_curve())
+        throw InputError(Fault{"verb", 0, verb, "only solve takes a scene whose neutral curve is wanted",
+                               "leave it out, or use the scene that hdconj solve --completed writes"});
+    if (verb == "run")
+        return plan_run(scene);
+    return verb == "load" ? make_plan(loaded_scene(scene), Verb::load) : make_plan(scene, Verb::contact);
+}
+
+/// As `hdconj check --json --for VERB`.
 nb::str check_text(SceneHandle const& scene, std::string const& name, std::string const& verb)
 {
-    auto const kind = verb == "load" ? Verb::load : verb == "contact" ? Verb::contact : Verb::solve;
     if (!scene.faults().empty())
         return text_of(check_json(name, scene.faults(), nullptr));
-    Plan const plan = make_plan(verb == "load" ? loaded_scene(scene.sound()) : scene.sound(), kind);
-    return text_of(check_json(name, {}, &plan, judge(scene.sound())));
+    Scene const& sound = scene.sound();
+    Plan const plan = plan_of(sound, verb);
+    // the limits of a design are those of a neutral curve that is known
+    return text_of(check_json(name, {}, &plan, sound.wants_neutral_curve() ? Notes{} : judge(sound)));
 }
 
 }  // namespace

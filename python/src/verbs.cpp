@@ -79,6 +79,9 @@ void enter_cases(auto& options, std::vector<double> const& tilts_deg, Words cons
 ResultPointer run_solve(SceneHandle const& handle, nb::handle observer, bool is_main)
 {
     Scene const& scene = handle.sound();
+    if (scene.wants_neutral_curve())
+        throw InputError(Fault{"wave_generator.family", 0, scene.wave_generator.shape.family,
+                               "the neutral curve is not known yet", "call find_neutral_curve(), which finds it"});
     return run(observer, is_main, [&](Observer const& told) { return result_of(solve(scene, told.stages())); });
 }
 

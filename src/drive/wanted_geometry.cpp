@@ -74,6 +74,11 @@ namespace hdconj {
 
 Faults check_wanted_scene(Scene const& scene)
 {
+    scene::FamilyChoice const& shape = scene.wave_generator.shape;
+    if (!scene.wants_neutral_curve())
+        return {{shape.path + ".family", shape.line, shape.family,
+                 "the neutral curve of this scene is known, and only one that is wanted is looked for",
+                 "solve the scene as it is, or write family = \"wanted\" and give both teeth"}};
     Faults faults;
     drive::GivenPair const pair = drive::given_pair(scene, faults);
     if (pair.flexspline.pieces.empty())
@@ -90,11 +95,10 @@ Faults check_wanted_scene(Scene const& scene)
     drive::validate_symmetry(scene.flexspline.profile, pair.flexspline, faults);
     drive::validate_symmetry(*scene.circular_spline.profile, pair.circular_spline, faults);
     drive::validate_depth(scene, pair, faults);
-    scene::FamilyChoice const& choice = scene.wave_generator.shape;
-    double const distance = choice.number_or("inner_distance", 0);
+    double const distance = shape.number_or("inner_distance", 0);
     if (!(distance < pair.geometry.r_m))
-        faults.push_back({choice.path + ".inner_distance", choice.line_of("inner_distance"),
-                          choice.text_of("inner_distance"),
+        faults.push_back({shape.path + ".inner_distance", shape.line_of("inner_distance"),
+                          shape.text_of("inner_distance"),
                           "leaves no cam inside a neutral curve of radius " + short_number(pair.geometry.r_m) + " mm",
                           "write half the wall and the thickness of the bearing, some millimetres"});
     return faults;

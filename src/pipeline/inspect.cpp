@@ -93,12 +93,21 @@ Scene finely_drawn(Scene scene)
     return scene;
 }
 
+void require_finite(Faults& faults, char const* option, std::optional<double> given)
+{
+    if (given && !std::isfinite(*given))
+        faults.push_back({option, 0, short_number(*given), "is no finite number", "write a length in mm"});
+}
+
 }  // namespace
 
 Inspection inspect_points(Scene const& scene, PointFile const& measured, InspectOptions const& options,
                           StageObserver const& on_stage)
 {
-    if (Faults const faults = check_scene(scene); !faults.empty())
+    Faults faults = check_scene(scene);
+    require_finite(faults, "--probe", options.probe);
+    require_finite(faults, "--plane", options.plane);
+    if (!faults.empty())
         throw InputError(faults);
     std::vector<double> const z = inspect::planes_of(measured, options);
     inspect::refuse_planes_outside(z, scene, measured, options);

@@ -2,6 +2,7 @@
 """Bad input is refused with the faults of the program, word by word."""
 
 import json
+import math
 import os
 import re
 import subprocess
@@ -10,6 +11,9 @@ import pytest
 from conftest import SOURCE, run_program
 
 import hdconj
+
+TEETH = SOURCE / "data/measured/flexspline-teeth.csv"
+WANTED = SOURCE / "data/scenes/type-50-wanted.toml"
 
 
 @pytest.fixture(scope="session")
@@ -120,6 +124,12 @@ def test_wrong_words_are_faults():
         ("scenes", lambda page: hdconj.report([], page)),
         ("dialects", lambda page: hdconj.wedm(dialects="foo")),
         ("name", lambda page: hdconj.design(100, diameter=50, name="a\nb")),
+        ("--probe", lambda page: hdconj.inspect(None, TEETH, probe=math.nan)),
+        ("--plane", lambda page: hdconj.inspect(None, TEETH, plane=math.inf)),
+        ("wave_generator.family", lambda page: hdconj.find_neutral_curve(hdconj.Scene())),
+        ("wave_generator.family", lambda page: hdconj.solve(WANTED)),
+        ("verb", lambda page: hdconj.Scene().plan("wedm")),
+        ("verb", lambda page: hdconj.Scene.load(WANTED).plan("load")),
     ],
 )
 def test_limits_of_arguments(option, call, tmp_path):
