@@ -26,6 +26,7 @@ void write_with(Solution& out, contact::ContactStudyData& data, SurfaceSpec cons
     scene.circular_spline.backlash_offset = side_clearance;
     scene.circular_spline.inner_radius = tip;
     Solution base = solve(scene);
+    out.judgement = base.judgement;
     if (z.size() == 1) {
         out.circular_spline = base.circular_spline;
         out.error.chord = base.error.chord;

@@ -42,6 +42,15 @@ TEST_CASE("a design without a warning passes --strict", "[judgement]")
     CHECK_THAT(hdconj_run("solve", folder.path()).out, !ContainsSubstring("judgement"));
 }
 
+TEST_CASE("load judges the part that it writes, not the scene's tip circle without side clearance", "[judgement]")
+{
+    TemporaryFolder const folder;
+    auto const loaded = hdconj_run("load --no-curve --torque 28 --strict", folder.path());
+    INFO(loaded.out << loaded.err);
+    CHECK_THAT(loaded.out, ContainsSubstring("um side clearance, tip circle 25.1"));  // the scene has 25.025
+    CHECK(loaded.status == 0);
+}
+
 TEST_CASE("HDF5 has a row for each note", "[judgement]")
 {
     TemporaryFolder const folder;
