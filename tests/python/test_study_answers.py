@@ -126,6 +126,13 @@ def test_fewer_drives_than_before(tmp_path):
     assert run(text + "20", tmp_path).frame.equals(all_rows)
 
 
+def test_figures_use_keys_that_do_not_vary(tmp_path):
+    text = '[vary]\n"flexspline.wall" = { list = [0.6, 0.7] }\n[figures]\nland = "solve.land_width / drive.module"\n'
+    found = run(text, tmp_path)
+    whole = hdconj.solve(hdconj.Scene().with_({"flexspline.wall": 0.6, "solver.tolerance": 1e-3}))
+    assert found.frame["land"][0] == whole.figures["land_width"].value / 0.25
+
+
 def test_expressions():
     known = {"a.b": 2.0, "c": 3}
     for text in ("1 + 2 * a.b", "-c ** 2 / 4", "max(a.b, c) - min(1, c)", "sqrt(c) * sin(pi / a.b)", "c // 2 + c % 2"):

@@ -73,7 +73,7 @@ def compute(recipe: Recipe, values: Mapping[str, Value], errors: bool) -> tuple[
     """
     linked = recipe.linked(values)
     scene = recipe.scene_of({**linked, "solver.threads": 1})
-    known: dict[str, Any] = {**{k: v for k, v in linked.items() if not isinstance(v, str)}}
+    known: dict[str, Any] = {k: v for k, v in {**recipe.constants, **linked}.items() if not isinstance(v, str)}
     estimates: dict[str, float] = {}
     units: dict[str, str] = {}
     for verb, options in recipe.verbs:

@@ -17,10 +17,9 @@ from .._scene import Scene, toml_text
 from ._expression import NO_VALUE, Expression
 from ._keys import LAWS, Key, Value, is_number, read_key
 from ._options import fits, in_words, judged, known_options
-from ._recipe import Recipe, flat
+from ._recipe import VERBS, Recipe, flat
 from ._sample import METHODS
 
-VERBS = ("solve", "contact", "load")
 TABLES = ("scene", "set", "vary", "sample", "compute", "figures", "constraints", "objectives", "optimise")
 OPTIMISERS = ("nsga2", "cmaes", "random")
 _TAKEN = ("sample", "code", "stage", "place", "cause")

@@ -15,9 +15,10 @@ from .._errors import NumericalError
 from .._scene import Scene
 from ._data_files import checksum, contents, renamed
 from ._expression import NO_VALUE, Expression
-from ._keys import Key, Value
+from ._keys import Key, Value, is_number
 from ._sample import sample_count, values_of
 
+VERBS = ("solve", "contact", "load")
 _LATER = ("constraints", "objectives")  # may change between two runs into one folder
 
 
@@ -69,6 +70,12 @@ class Recipe:
     def base(self) -> dict[str, Any]:
         """Keys of the scene that all drives share."""
         return flat(self.scene.to_dict())
+
+    @cached_property
+    def constants(self) -> dict[str, float]:
+        """Keys of the scene that all drives share and that are numbers; under a verb's name stand its figures."""
+        numbers = {path: value for path, value in self.base.items() if is_number(value)}
+        return {path: value for path, value in numbers.items() if path.split(".")[0] not in VERBS}
 
     def linked(self, values: Mapping[str, Value]) -> dict[str, Value]:
         """All values, links included; raises NumericalError where a link has none."""

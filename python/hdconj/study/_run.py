@@ -50,7 +50,8 @@ def _figure_names(recipe: Recipe) -> set[str]:
     import hdconj
 
     linked = recipe.linked(recipe.first)
-    names = set(linked) - {key.path for key in recipe.keys if key.law == "list" and set(map(type, key.values)) == {str}}
+    words = {key.path for key in recipe.keys if key.law == "list" and set(map(type, key.values)) == {str}}
+    names = {*recipe.constants, *linked} - words
     for verb, options in recipe.verbs:
         lean: dict[str, Any] = {"errors": False} if estimates_errors(verb) else {}
         names |= set(figures_of(verb, getattr(hdconj, verb)(recipe.scene_of(linked), **options, **lean), False)[0])
