@@ -133,6 +133,13 @@ def test_figures_use_keys_that_do_not_vary(tmp_path):
     assert found.frame["land"][0] == whole.figures["land_width"].value / 0.25
 
 
+def test_the_best_are_different_drives(tmp_path):
+    """A list has few values, so that samples repeat them."""
+    text = "[vary]\na = { list = [1, 2, 3] }\n[sample]\ncount = 20\n[figures]\nb = 'a'\nc = '-a'\n[objectives]\n"
+    for number, aims in enumerate((text + "b = 'min'\n", text + "b = 'min'\nc = 'min'\n")):
+        assert list(run(aims, tmp_path / str(number)).best(5)["a"]) == [1, 2, 3]
+
+
 def test_expressions():
     known = {"a.b": 2.0, "c": 3}
     for text in ("1 + 2 * a.b", "-c ** 2 / 4", "max(a.b, c) - min(1, c)", "sqrt(c) * sin(pi / a.b)", "c // 2 + c % 2"):

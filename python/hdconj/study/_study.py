@@ -111,7 +111,7 @@ class Study:
         return values, errors
 
     def best(self, count: int = 10, *, again: bool = True) -> Any:
-        """The best drives as a ``pandas.DataFrame``, best first.
+        """The best drives as a ``pandas.DataFrame``, best first; each once, however often it was computed.
 
         With one objective the column ``rank`` is the same for drives whose difference to the first of them does not
         exceed the errors of both. With several the drives are those that no other one beats.
@@ -131,6 +131,7 @@ class Study:
         with_errors = self._read("survivors") if again else None
         if with_errors is not None and not with_errors.empty:
             rows = with_errors[self.feasible(with_errors)]
+        rows = rows.drop_duplicates([key.path for key in self.recipe.keys])  # lists and steps make a drive again
         values, errors = self.objectives(rows)
         if values.shape[1] > 1:
             front = ~dominated(values, errors)
