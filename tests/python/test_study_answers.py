@@ -12,6 +12,7 @@ import hdconj
 study = pytest.importorskip("hdconj.study")
 pytest.importorskip("distributed")
 from hdconj.study import _drive  # noqa: E402
+from hdconj.study.__main__ import print_status  # noqa: E402
 from hdconj.study._expression import Expression  # noqa: E402
 from hdconj.study._pictures import draw_all  # noqa: E402
 from hdconj.study._study import _ranks, dominated  # noqa: E402
@@ -138,6 +139,14 @@ def test_the_best_are_different_drives(tmp_path):
     text = "[vary]\na = { list = [1, 2, 3] }\n[sample]\ncount = 20\n[figures]\nb = 'a'\nc = '-a'\n[objectives]\n"
     for number, aims in enumerate((text + "b = 'min'\n", text + "b = 'min'\nc = 'min'\n")):
         assert list(run(aims, tmp_path / str(number)).best(5)["a"]) == [1, 2, 3]
+
+
+@pytest.mark.parametrize("method, is_sample", [("random", True), ("grid", False)])
+def test_a_share_has_an_interval_where_drives_are_a_sample(tmp_path, capsys, method, is_sample):
+    text = '[vary]\na = { list = [1, 2] }\n[figures]\nb = "a"\n[constraints]\nb = { max = 1 }\n[sample]\nmethod = "X"'
+    print_status(run(text.replace('"X"', f'"{method}"'), tmp_path))
+    told = capsys.readouterr().out
+    assert "% keep all constraints" in told and ("confidence" in told) == is_sample
 
 
 def test_expressions():

@@ -64,7 +64,10 @@ def print_status(study: Any) -> None:
         print(f"{state['seconds_left']:.0f} s of one worker left")
     if study.recipe.constraints and state["done"]:
         share, low, high = study.yield_of()
-        print(f"{100 * share:.1f} % keep all constraints ({100 * low:.1f} to {100 * high:.1f} % at 95 % confidence)")
+        # drives that are chosen are no sample
+        is_drawn = study.about["kind"] == "run" and study.recipe.method != "grid"
+        sure = f" ({100 * low:.1f} to {100 * high:.1f} % at 95 % confidence)" if is_drawn else ""
+        print(f"{100 * share:.1f} % keep all constraints{sure}")
     if study.recipe.method == "saltelli" and state["done"] == state["total"]:
         table = study.indices()
         for name, part in table.groupby("figure", sort=False):
