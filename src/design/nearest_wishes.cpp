@@ -79,37 +79,39 @@ Faults nearest_mesh(DesignWishes const& wishes, MeshChoice const& failed)
     return faults;
 }
 
-/// A torque near the largest one below the one asked for that the cup of @p failed stands; nothing where its stress is
-/// too much without torque already, or where none is found in a few trials.
+/// The largest torque of two digits below the one asked for that the cup of @p failed stands, or one near it; nothing
+/// where its stress is too much without torque already, or where none is found in a few trials. The stress grows about
+/// evenly with the torque: each trial says which torque would just do.
 std::optional<double> nearest_torque(DesignWishes wishes, MeshedSheet const& failed)
 {
     constexpr int most_trials = 8, two = 2;
-    constexpr double margin = 0.95, clearly = 1.2;
+    constexpr double margin = 0.95;
     // sixteen times that of type-50 for the same stress: what is far above tells nothing
     double const far = 16 * 28 * newton_metre * std::pow(failed.sheet["d_r"] / 50, 3);
-    double const allowed = allowed_stress(wishes), asked = *wishes.torque;
-    auto const by_stress = [&](WallTrial const& at, double torque) {
-        return margin * torque * (allowed - at.assembled) / (at.loaded - at.assembled);
-    };
-    auto const tried_at = [&](double torque) {
-        wishes.torque = torque;
-        return stress_of(failed, wishes);
-    };
+    double const allowed = allowed_stress(wishes);
+    std::optional<double> stands;
+    double too_much = *wishes.torque;
     WallTrial found = failed.walls.back();
-    double torque = found.loaded > 0 ? asked : std::min(asked, far);
-    for (int i = 0; i < most_trials; ++i) {
-        if (found.assembled > allowed)
-            return std::nullopt;
-        torque =
-            rounded(found.loaded > allowed ? std::min(margin * torque, by_stress(found, torque)) : torque / 2, two);
-        found = tried_at(torque);
-        if (!found.refusal.empty())
-            continue;
-        double const nearer = rounded(std::min(by_stress(found, torque), margin * asked), two);
-        return found.loaded > found.assembled && nearer > clearly * torque && tried_at(nearer).refusal.empty() ? nearer
-                                                                                                               : torque;
+    double torque = found.loaded > 0 ? too_much : std::min(too_much, far);
+    for (int i = 0; i < most_trials && found.assembled <= allowed; ++i) {
+        double const just = torque * (allowed - found.assembled) / (found.loaded - found.assembled);
+        bool const is_known = found.loaded > found.assembled;
+        if (!stands)
+            torque = rounded(found.loaded > allowed ? margin * std::min(torque, just) : torque / 2, two);
+        else if (double const next = rounded(just, two); is_known && next < too_much)
+            torque = next;
+        else
+            torque = rounded((*stands + too_much) / 2, two);
+        if (stands && (torque <= *stands || torque >= too_much))
+            break;
+        wishes.torque = torque;
+        found = stress_of(failed, wishes);
+        if (found.refusal.empty())
+            stands = torque;
+        else
+            too_much = torque;
     }
-    return std::nullopt;
+    return stands;
 }
 
 /// The weakest steel of the table that stands the stress @p most with the safety of the wishes; nothing where none
