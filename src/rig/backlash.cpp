@@ -90,6 +90,52 @@ std::optional<double> place_of_jump(Samples const& samples, std::vector<std::siz
     return place;
 }
 
+/// Readings that a jump is fitted to: by their distance from a torque, in units of a scale [N mm].
+struct Neighbourhood
+{
+    double centre, window, scale;
+};
+
+/// The jump between the readings @p at of a neighbourhood at the torque @p split; without one, between those two
+/// readings that leave the least squares.
+/// @param at  readings by ascending torque
+/// @returns nothing where a side has too few readings; Jump::seen is left to the caller
+std::optional<Jump> jump_about(Samples const& samples, std::vector<std::size_t> at, Neighbourhood const& near,
+                               std::optional<double> split)
+{
+    std::erase_if(at, [&](std::size_t i) { return std::abs(samples.torque[i] - near.centre) > near.window; });
+    if (at.size() < 2 * least)
+        return std::nullopt;
+    double const count = static_cast<double>(at.size());
+    double mean = 0;
+    for (std::size_t const i : at)
+        mean += samples.twist[i] / count;
+    auto const add = [&](Side& side, std::size_t i, double sign) {
+        side.add((samples.torque[i] - near.centre) / near.scale, samples.twist[i] - mean, sign);
+    };
+    Side low, high;
+    for (std::size_t const i : at)
+        add(high, i, 1);
+    Fit best;
+    std::size_t first_above = 0;
+    for (std::size_t k = 1; k + least <= at.size(); ++k) {
+        add(low, at[k - 1], 1);
+        add(high, at[k - 1], -1);
+        if (k < least || (split && (samples.torque[at[k - 1]] > *split || samples.torque[at[k]] <= *split)))
+            continue;
+        Fit const fit = lines_beside(low, high);
+        if (fit.squares < best.squares) {
+            best = fit;
+            first_above = k;
+        }
+    }
+    if (!std::isfinite(best.squares))
+        return std::nullopt;
+    double const error = std::sqrt(std::max(0.0, best.squares) / (count - 3) * best.factor);
+    return Jump{
+        {best.height, error}, false, std::max(-samples.torque[at[first_above - 1]], samples.torque[at[first_above]])};
+}
+
 }  // namespace
 
 double friction_torque(Samples const& samples, std::vector<LoadBranch> const& branches)
@@ -123,45 +169,25 @@ std::optional<Jump> jump_of_play(Samples const& samples, LoadBranch const& branc
     constexpr double clear = 5;      // standard errors: beyond what the best of some hundred places reaches by chance
     constexpr double spread = 1.25;  // of the friction about its median
     double const window = measured_at::near_zero * largest_torque, beside = window / 2, still = window / 4;
-    std::vector<std::size_t> at = loaded_readings(samples, branch, measured_at::no_load * largest_torque);
+    std::vector<std::size_t> const at = loaded_readings(samples, branch, measured_at::no_load * largest_torque);
     auto const place = branch.rising ? place_of_jump(samples, at, -beside, spread * friction + beside, window)
                                      : place_of_jump(samples, at, -spread * friction - beside, beside, window);
     if (!place)
         return std::nullopt;
-    double const centre = std::abs(*place) > still ? *place : 0;
-    std::erase_if(at, [&](std::size_t i) { return std::abs(samples.torque[i] - centre) > window; });
-    if (at.size() < 2 * least)
-        return std::nullopt;
-    double mean = 0;
-    for (std::size_t const i : at)
-        mean += samples.twist[i] / static_cast<double>(at.size());
-    auto const add = [&](Side& side, std::size_t i, double sign) {
-        side.add(samples.torque[i] / largest_torque, samples.twist[i] - mean, sign);
+    auto const about = [&](double centre, std::optional<double> split) {
+        return jump_about(samples, at, {std::abs(centre) > still ? centre : 0, window, largest_torque}, split);
     };
-    Side low, high;
-    for (std::size_t const i : at)
-        add(high, i, 1);
-    Fit best;
-    std::size_t best_split = 0;
-    for (std::size_t split = 1; split + least <= at.size(); ++split) {
-        add(low, at[split - 1], 1);
-        add(high, at[split - 1], -1);
-        if (split < least)
-            continue;
-        Fit const fit = lines_beside(low, high);
-        if (fit.squares < best.squares) {
-            best = fit;
-            best_split = split;
-        }
-    }
-    if (!std::isfinite(best.squares))
+    std::optional<Jump> best = about(*place, std::nullopt);
+    if (!best)
         return std::nullopt;
-    // A height that chance would make of noise, at the best of so many places, says no more than its own size.
-    double const count = static_cast<double>(at.size());
-    double const error = std::sqrt(std::max(0.0, best.squares) / (count - 3) * best.factor);
-    bool const seen = std::abs(best.height) > clear * error;
-    double const beyond = std::max(-samples.torque[at[best_split - 1]], samples.torque[at[best_split]]);
-    return Jump{{best.height, seen ? error : std::max(error, std::abs(best.height))}, seen, beyond};
+    best->seen = best->height.value > clear * best->height.error;
+    if (best->seen)
+        return best;
+    double const crossing = branch.rising ? friction : -friction;
+    if (std::optional<Jump> const known = about(crossing, crossing))
+        return known;
+    best->height.error = std::max(best->height.error, std::abs(best->height.value));
+    return best;
 }
 
 }  // namespace hdconj::rig

@@ -13,7 +13,7 @@ namespace hdconj::rig {
 struct Jump
 {
     Found height;        ///< [rad]
-    bool seen = false;   ///< noise would not make it
+    bool seen = false;   ///< noise would not make it; else the height at the torque of the friction
     double engaged = 0;  ///< torque of the first sample beyond it, without sign [N mm]
 };
 
@@ -29,7 +29,14 @@ struct Jump
 /// where two parallel lines, of the samples within measured_at::near_zero of the largest torque to either side, are
 /// furthest apart. The lines are then fitted to the samples about that place (about zero, where it is less than a
 /// quarter of near_zero away), one below the jump and one above; the jump is put between the two samples that leave the
-/// least squares. Samples below measured_at::no_load are left out: without load the drive may lie anywhere in its
+/// least squares.
+///
+/// The largest of many heights is no estimate of a small one: noise alone has a positive maximum, and where the curve
+/// bends the lines differ by a negative height. A height below five of its standard errors is therefore taken at the
+/// torque where the backlash is crossed, which is the friction: the height of two lines at a known place is without
+/// bias.
+///
+/// Samples below measured_at::no_load are left out: without load the drive may lie anywhere in its
 /// backlash.
 /// @param friction  as friction_torque() finds it [N mm]
 /// @returns nothing where the branch does not pass through all of these torques, or has fewer than three samples on

@@ -258,7 +258,7 @@ MeasuredStiffness measured_stiffness(MeasuredCurve const& curve)
     for (auto const& branch : branches) {
         if (auto const jump = rig::jump_of_play(samples, branch, result.largest_torque, friction)) {
             all.jumps.push_back(jump->height);
-            limits.engaged = jump->seen ? std::max(limits.engaged, jump->engaged) : limits.engaged;
+            limits.engaged = std::max(limits.engaged, jump->engaged);
         }
     }
     for (auto const& branch : branches)

@@ -198,6 +198,35 @@ TEST_CASE("with strays, drift and friction the stated errors are those that are 
     }
 }
 
+TEST_CASE("backlash that noise hides, or that is none, is found without bias under any friction", "[load][measured]")
+{
+    constexpr int tries = 60;
+    for (double const backlash : {0.0, 0.2, 3.0})
+        for (double const friction : {0.0, 0.8, 2.0, 5.0, 10.0})
+            for (int const per_branch : {40, 150}) {
+                double squares = 0, mean = 0, first = 0;
+                for (unsigned seed = 1; seed <= tries; ++seed) {
+                    Rig rig;
+                    rig.drive.backlash = backlash * minute;
+                    rig.per_branch = per_branch;
+                    rig.cycles = 3;
+                    rig.angle_noise = 0.1 * minute;
+                    rig.coulomb = friction * nm;
+                    rig.seed = seed;
+                    auto const found = measured_stiffness(rig_loop(rig));
+                    double const pull = (found.backlash.value - rig.drive.backlash) / found.backlash.error;
+                    squares += pull * pull / tries;
+                    mean += pull / tries;
+                    first += std::pow((found.first.value - rig.drive.first) / found.first.error, 2) / tries;
+                }
+                INFO(backlash << "', " << friction << " N m, " << per_branch << " readings a branch");
+                CHECK(std::sqrt(squares) > 0.7);
+                CHECK(std::sqrt(squares) < 1.25);
+                CHECK(std::abs(mean) < 0.4);  // three standard errors of the mean of so many
+                CHECK(std::sqrt(first) < 1.4);
+            }
+}
+
 TEST_CASE("with noise and an encoder's steps what is found lies within its own uncertainty", "[load][measured]")
 {
     int outside_three = 0;
