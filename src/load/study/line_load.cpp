@@ -2,6 +2,7 @@
 #include "line_load.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace hdconj::load {
@@ -43,6 +44,34 @@ double largest_mean(std::span<double const> z, std::span<double const> value, do
             look_at(z[k] - width * fall / (rise + fall));
     }
     return largest;
+}
+
+double largest_between(std::span<double const> z, std::span<double const> value, double from, double to)
+{
+    double largest = 0;
+    for (std::size_t k = 0; k < z.size(); ++k) {
+        if (from <= z[k] && z[k] <= to)
+            largest = std::max(largest, value[k]);
+        for (double const end : {from, to})
+            if (k > 0 && z[k - 1] < end && end < z[k])
+                largest = std::max(largest, std::lerp(value[k - 1], value[k], (end - z[k - 1]) / (z[k] - z[k - 1])));
+    }
+    return largest;
+}
+
+std::vector<double> shares_at_ends(std::span<double const> z, double width)
+{
+    std::vector<double> shares(z.size(), 0), hat(z.size(), 0);
+    if (z.size() < 2)
+        return shares;
+    double const reach = std::min(width, 0.5 * (z.back() - z.front()));
+    for (std::size_t k = 0; k < z.size(); ++k) {
+        hat[k] = 1;
+        double const all = integral(z, hat, z.back());
+        shares[k] = (integral(z, hat, z.front() + reach) + all - integral(z, hat, z.back() - reach)) / all;
+        hat[k] = 0;
+    }
+    return shares;
 }
 
 }  // namespace hdconj::load

@@ -73,17 +73,20 @@ void enter_line_loads(LoadProblem const& problem, FlankTable const& t, LoadedSta
 {
     constexpr double width = 0.5;  // of a mean, and of an end [mm]
     std::vector<double> const& z = problem.flanks.z;
+    std::vector<double> const at_ends = shares_at_ends(z, width);
+    // Of a face width that is all ends, the middle is left.
+    double const from = z.front() + std::min(width, 0.5 * (z.back() - z.front()));
+    double const to = std::max(from, z.back() - width);
     double all = 0, on_edges = 0, flowing = 0;
     for (std::size_t first = 0; first < t.force.size(); first += t.slices) {  // slices of a flank follow each other
         double edge_force = 0;
         for (std::size_t k = 0; k < t.slices; ++k) {
-            bool const at_end = t.slices > 1 && (z[k] - z.front() < width || z.back() - z[k] < width);
-            if (!at_end)
-                state.flank_pressure = std::max(state.flank_pressure, t.off_edges[first + k]);
-            edge_force += at_end ? t.force[first + k] : t.on_edges[first + k];
+            edge_force += std::lerp(t.on_edges[first + k], t.force[first + k], at_ends[k]);
             all += t.force[first + k];
             flowing += t.flowing[first + k];
         }
+        state.flank_pressure =
+            std::max(state.flank_pressure, largest_between(z, {t.off_edges.data() + first, t.slices}, from, to));
         on_edges += edge_force;
         state.edge_force = std::max(state.edge_force, edge_force);
         state.largest_line_load =
