@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "load/grids/grid_error.hpp"
 #include "torque_branch.hpp"
@@ -63,6 +64,42 @@ StiffnessStages lines_of(CurveBranches const& curve)
     return stiffness_stages(twists, torques);
 }
 
+/// Every second state of `forth` from @p first on, and the last.
+CurveBranches thinned(CurveBranches const& curve, std::size_t first)
+{
+    CurveBranches result{.forth = {}, .back = {}, .free = curve.free};
+    for (std::size_t i = first; i + 1 < curve.forth.size(); i += 2)
+        result.forth.push_back(curve.forth[i]);
+    if (!curve.forth.empty())
+        result.forth.push_back(curve.forth.back());
+    return result;
+}
+
+constexpr double StiffnessStages::*figures_of_stages[] = {&StiffnessStages::first, &StiffnessStages::second,
+                                                          &StiffnessStages::knee, &StiffnessStages::knee_twist};
+constexpr double StiffnessStages::*errors_of_stages[] = {&StiffnessStages::first_error, &StiffnessStages::second_error,
+                                                         &StiffnessStages::knee_error,
+                                                         &StiffnessStages::knee_twist_error};
+
+/// Adds to the errors of @p stages what the chords between the states of @p curve cut off. Half of the states change
+/// the lines by three times that, where the curve is smooth; half as much again of the larger of both halves is taken,
+/// since a half may agree by chance. The knee may agree in both: relative to its size it gets no less than the slopes.
+void add_chord_errors(CurveBranches const& curve, StiffnessStages& stages)
+{
+    constexpr double safety = 1.5;
+    StiffnessStages const halves[] = {lines_of(thinned(curve, 0)), lines_of(thinned(curve, 1))};
+    double relative = 0;
+    for (std::size_t i = 0; i < std::size(figures_of_stages); ++i) {
+        double const value = stages.*figures_of_stages[i];
+        double difference = 0;
+        for (StiffnessStages const& half : halves)
+            difference = std::max(difference, safety * std::abs(value - half.*figures_of_stages[i]));
+        if (i < 2 && value != 0)
+            relative = std::max(relative, difference / std::abs(value));
+        stages.*errors_of_stages[i] += i < 2 ? difference : std::max(difference, relative * std::abs(value));
+    }
+}
+
 }  // namespace
 
 std::optional<CatalogueFigures> catalogue_figures(CatalogueTorques const& torques, CurveBranches const& fine,
@@ -109,13 +146,13 @@ StiffnessStages stages_of(CurveBranches const& fine, std::vector<CurveBranches> 
     for (CurveBranches const& curve : coarser)
         others.push_back(lines_of(curve));
     std::vector<double> values(others.size());
-    for (auto const& [error, figure] : {std::pair(&StiffnessStages::first_error, &StiffnessStages::first),
-                                        std::pair(&StiffnessStages::second_error, &StiffnessStages::second),
-                                        std::pair(&StiffnessStages::knee_error, &StiffnessStages::knee),
-                                        std::pair(&StiffnessStages::knee_twist_error, &StiffnessStages::knee_twist)}) {
-        std::ranges::transform(others, values.begin(), figure);
-        stages.*error = values.empty() ? 0 : safety * grid_difference(stages.*figure, values);
+    for (std::size_t i = 0; i < std::size(figures_of_stages); ++i) {
+        std::ranges::transform(others, values.begin(), figures_of_stages[i]);
+        stages.*errors_of_stages[i] =
+            values.empty() ? 0 : safety * grid_difference(stages.*figures_of_stages[i], values);
     }
+    if (!coarser.empty())
+        add_chord_errors(fine, stages);
     return stages;
 }
 

@@ -26,7 +26,8 @@ struct CurveBranches
                                                                 double safety, double relative_twist);
 
 /// Two lines through the polygon of the states of `forth`, at even torques: so that they do not depend on where the
-/// states lie. The errors are those of the grid; all zero without @p coarser. Fewer than two states: all zero.
+/// states lie. The errors are those of the grid and of the polygon, whose chords cut the bends of the curve. All zero
+/// without @p coarser. Fewer than two states: all zero.
 [[nodiscard]] StiffnessStages stages_of(CurveBranches const& fine, std::vector<CurveBranches> const& coarser,
                                         double safety);
 

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Errors of figures of a torque-twist curve.
+#include <cmath>
+#include <vector>
+
+#include "load/study/catalogue_figures.hpp"
+#include "support/catch.hpp"
+
+namespace hdconj::test::curve_error_cases {
+
+namespace {
+
+/// A drive that stiffens smoothly, at so many even torques.
+/// @param soft   twist that it is softer by [rad]
+/// @param scale  torque over which it stiffens [N mm]
+load::CurveBranches smooth_curve(int torques, double soft, double scale)
+{
+    constexpr double rated = 28e3, stiff = 3e6;
+    load::CurveBranches curve{.forth = {}, .back = {}, .free = 1e-3};
+    for (int i = 1; i <= torques; ++i) {
+        LoadedState state;
+        state.torque = rated * i / torques;
+        state.twist = curve.free + state.torque / stiff + soft * (1 - std::exp(-state.torque / scale));
+        curve.forth.push_back(state);
+    }
+    return curve;
+}
+
+}  // namespace
+
+TEST_CASE("the errors of two lines through a curve hold what more torques change", "[load]")
+{
+    constexpr double StiffnessStages::*pairs[][2] = {
+        {&StiffnessStages::first, &StiffnessStages::first_error},
+        {&StiffnessStages::second, &StiffnessStages::second_error},
+        {&StiffnessStages::knee, &StiffnessStages::knee_error},
+        {&StiffnessStages::knee_twist, &StiffnessStages::knee_twist_error}};
+    for (double const soft : {0.001, 0.004, 0.01})
+        for (double const scale : {2e3, 5e3, 10e3}) {
+            StiffnessStages const exact = load::stages_of(smooth_curve(1600, soft, scale), {}, 4);
+            REQUIRE(exact.found);
+            CHECK(exact.first_error == 0);
+            for (int const torques : {6, 7, 8, 10, 13, 16, 25, 40, 60}) {
+                CAPTURE(soft, scale, torques);
+                load::CurveBranches const curve = smooth_curve(torques, soft, scale);
+                // the coarser grids have the same curve: nothing is left but the torques
+                StiffnessStages const found = load::stages_of(curve, {curve, curve}, 4);
+                for (auto const& [figure, error] : pairs)
+                    CHECK(std::abs(found.*figure - exact.*figure) <= found.*error);
+                if (torques >= 60)
+                    CHECK(found.first_error < 0.02 * found.first);
+            }
+        }
+}
+
+}  // namespace hdconj::test::curve_error_cases
