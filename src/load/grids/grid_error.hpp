@@ -27,6 +27,27 @@ namespace hdconj::load {
     return slices < regular ? regular_safety * 3 : regular_safety;
 }
 
+/// Error of a number of teeth or balls that carry force. At a border of the zone of contact the next one carries or not
+/// by rounding, in each sector: no less than one of each. Beyond that the border moves by first order: between the grid
+/// asked for and an infinitely fine one as far as between it and the next coarser grid, and half as far as between the
+/// coarser two. Twice the larger.
+/// @param sectors  how often the ring repeats itself
+[[nodiscard]] int count_error(int fine, std::span<int const> coarser, int sectors);
+
+/// Difference of the assembled wall between grids, as grid_difference(): the largest radial one in a slice [mm].
+/// Domain: drives with a coarse grid.
+[[nodiscard]] double wall_difference(contact::ContactContext const& context, DriveGrids const& drives);
+
+/// Error of the play @p width between the first touches of both sides [rad] from its values on coarser grids. First
+/// touches of all grids may agree by chance, but places of teeth are known no better than the wall: where it moves by
+/// w, each of two flanks is reached w tan(alpha)/r later, alpha between its normal and the circumference. No figure of
+/// the play gets less.
+/// @param coarser  at least one
+/// @param wall     wall_difference() [mm]
+/// @param radius   r [mm]
+[[nodiscard]] double backlash_error(double width, std::span<double const> coarser, double wall, double radius,
+                                    double safety);
+
 /// Enters the errors of @p cup, as it is on the fine grid.
 /// Domain: drives with a coarse grid.
 void estimate_errors(contact::ContactContext const& context, DriveGrids const& drives, AssembledCup& cup);

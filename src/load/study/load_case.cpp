@@ -179,12 +179,11 @@ SolvedCase load_case(contact::ContactContext const& context, DriveGrids const& d
 
     std::vector<std::unique_ptr<CoarsePath>> const coarser = coarse_paths(context, drives, path);
     if (!coarser.empty()) {
-        // Teeth that press on both flanks are a balance, whose error varies more than that of a gap.
-        double const factor = result.backlash < 0 ? 2.4 : 0.8;
         std::vector<double> widths;
         for (auto const& each : coarser)
             widths.push_back(width_of(each->path->play));
-        result.backlash_error = factor * grid_safety(flanks.slices()) * grid_difference(width_of(path.play), widths);
+        result.backlash_error = backlash_error(result.backlash, widths, wall_difference(context, drives),
+                                               context.geometry.r_m, grid_safety(flanks.slices()));
     }
 
     PathsOnGrids const paths{path, coarser, compliance_of(drives.series)};

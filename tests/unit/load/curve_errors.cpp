@@ -1,13 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Errors of figures of a torque-twist curve.
+/// Errors of figures of a torque-twist curve, and of numbers of teeth.
 #include <cmath>
 #include <vector>
 
+#include "load/grids/grid_error.hpp"
 #include "load/study/catalogue_figures.hpp"
 #include "support/catch.hpp"
 
 namespace hdconj::test::curve_error_cases {
+
+using Counts = std::vector<int>;
+
+TEST_CASE("a number of teeth is known to one tooth of each sector, and to twice what grids differ", "[load]")
+{
+    CHECK(load::count_error(54, Counts{54, 54}, 2) == 2);
+    CHECK(load::count_error(54, Counts{54}, 1) == 1);
+    CHECK(load::count_error(54, Counts{46, 42}, 2) == 16);
+    // two grids that agree by chance
+    CHECK(load::count_error(54, Counts{54, 44}, 2) == 10);
+    CHECK(load::count_error(54, Counts{54, 45}, 1) == 10);
+    // nothing touches on any grid
+    CHECK(load::count_error(0, Counts{0, 0}, 2) == 0);
+    CHECK(load::count_error(0, Counts{2, 0}, 2) == 4);
+}
+
+TEST_CASE("backlash is known no better than the wall, also where first touches of grids agree", "[load]")
+{
+    constexpr double width = 2e-3, radius = 25, wall = 1e-4, safety = 4;
+    std::vector<double> const same{width, width}, other{1.9e-3, width};
+    double const by_wall = load::backlash_error(width, same, wall, radius, safety);
+    CHECK(by_wall == Approx(1.6 * wall / radius));  // two flanks of 39 degrees
+    CHECK(load::backlash_error(width, same, 3 * wall, radius, safety) == Approx(3 * by_wall));
+    CHECK(load::backlash_error(width, other, wall, radius, safety) == Approx(0.8 * safety * 1e-4));
+    CHECK(load::backlash_error(-width, std::vector<double>{-1.9e-3}, wall, radius, safety) ==
+          Approx(2.4 * safety * 1e-4));
+}
 
 namespace {
 
