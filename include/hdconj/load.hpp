@@ -190,7 +190,7 @@ struct LoadCase
     std::vector<ContactForce> contacts;      ///< at that torque, of one sector: sectors sum(lever force) = torque
     BearingMap bearing;                      ///< at that torque
     /// Estimated discretisation error of curve[rated]: four times the difference to a grid half as fine in slices,
-    /// flank points, circles of the bearing and harmonics (numbers of teeth and balls: once). Not a bound where a
+    /// flank points, circles of the bearing and harmonics (numbers of teeth and balls: twice). Not a bound where a
     /// figure does not converge: pressure_at_edge, LoadStudy::sharp_steps.
     LoadedState error;
     double backlash_error = 0;  ///< the same of the backlash [rad]
