@@ -27,9 +27,6 @@ void write_with(Solution& out, contact::ContactStudyData& data, SurfaceSpec cons
     scene.circular_spline.inner_radius = tip;
     Solution base = solve(scene);
     out.judgement = base.judgement;
-    out.geometry = base.geometry;
-    out.error.space_depth = base.error.space_depth;
-    out.error.land = base.error.land;
     if (z.size() == 1) {
         out.circular_spline = base.circular_spline;
         out.error.chord = base.error.chord;

@@ -6,8 +6,7 @@
 
 namespace hdconj::pipeline {
 
-/// Writes the surface of a case in all slices into @p out, of the drive of @p data; dimensions and judgement are those of
-/// that part.
+/// Writes the surface of a case in all slices into @p out, of the drive of @p data, and the judgement of that part.
 /// @param tip             tip circle of the case at z = 0 [mm]
 /// @param side_clearance  of the case [mm]
 /// @returns the side clearance that it is written with: 0, and a note in @p out, where it cannot be made with that of

@@ -45,10 +45,11 @@ TEST_CASE("a design without a warning passes --strict", "[judgement]")
 TEST_CASE("load judges the part that it writes, not the scene's tip circle without side clearance", "[judgement]")
 {
     TemporaryFolder const folder;
-    auto const loaded = hdconj_run("load --no-curve --torque 28 --strict", folder.path());
+    auto const loaded = hdconj_run("load --no-curve --torque 28 --strict --json", folder.path());
     INFO(loaded.out << loaded.err);
-    CHECK_THAT(loaded.out, ContainsSubstring("um side clearance, tip circle 25.1"));  // the scene has 25.025
-    CHECK(loaded.status == 0);
+    REQUIRE(loaded.status == 0);
+    auto const result = nlohmann::json::parse(loaded.out);
+    CHECK(result.at("load").at("cases").at(0).at("tip_radius_mm") > 25.1);  // the scene has 25.025
 }
 
 TEST_CASE("HDF5 has a row for each note", "[judgement]")
