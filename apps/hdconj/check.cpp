@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include "hdconj/judgement.hpp"
-#include "hdconj/load.hpp"
-#include "hdconj/plan.hpp"
 #include "hdconj/profile/registry.hpp"
 #include "hdconj/read_scene.hpp"
-#include "hdconj/running.hpp"
+#include "hdconj/solve.hpp"
 #include "hdconj/wavegen/registry.hpp"
 #include "hdconj/wire_files.hpp"
 #include "run_verb.hpp"
@@ -28,18 +26,10 @@ std::string headline(Scene const& scene)
                        drive.flexspline_teeth, drive.circular_spline_teeth, scene.wave_generator.waves);
 }
 
-/// The plan of the verb that is asked for. A scene with a table [contact] is meant for `contact`.
-Plan plan_of(CheckArguments const& own, Scene const& scene)
+/// A scene with a table [contact] is meant for `contact`.
+std::string usual_verb(Scene const& scene)
 {
-    if (scene.wants_neutral_curve() && !own.verb.empty() && own.verb != "solve")
-        throw InputError(Fault{"--for", 0, own.verb, "only solve takes a scene whose neutral curve is wanted",
-                               "leave it out, or use the scene that hdconj solve --completed writes"});
-    if (own.verb == "load")
-        return make_plan(loaded_scene(scene), Verb::load);
-    if (own.verb == "run")
-        return plan_run(scene);
-    bool const contact = own.verb.empty() ? scene.contact.has_value() : own.verb == "contact";
-    return make_plan(scene, contact ? Verb::contact : Verb::solve);
+    return scene.contact && !scene.wants_neutral_curve() ? "contact" : "solve";
 }
 
 int run_check(CommonOptions const& common, CheckArguments const& own)
@@ -51,7 +41,9 @@ int run_check(CommonOptions const& common, CheckArguments const& own)
     // the limits of a design are those of a neutral curve that is known
     Notes const notes = reading.scene.wants_neutral_curve() ? Notes{} : judge(reading.scene);
     Work<Plan> work;
-    work.compute = [&](ProgressLine const&) { return plan_of(own, reading.scene); };
+    work.compute = [&](ProgressLine const&) {
+        return plan_of(reading.scene, own.verb.empty() ? usual_verb(reading.scene) : own.verb, "--for");
+    };
     work.text = [&](Plan const& plan, Written const&) {
         return own.only_plan ? describe(plan) : headline(reading.scene) + describe(plan) + describe(notes);
     };

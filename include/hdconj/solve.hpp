@@ -3,6 +3,8 @@
 /// The main job: from a scene to the conjugate circular spline.
 #pragma once
 
+#include <string>
+
 #include "hdconj/error.hpp"
 #include "hdconj/plan.hpp"
 #include "hdconj/scene.hpp"
@@ -24,5 +26,12 @@ namespace hdconj {
 /// @throws InputError     the scene cannot describe a drive (exit status 2)
 /// @throws NumericalError a stage failed; says which, where and why (exit status 1)
 [[nodiscard]] Solution solve(Scene const& scene, StageObserver const& on_stage = {});
+
+/// The plan of a verb by its name.
+/// @param scene  domain: scenes for which check_scene() finds no fault
+/// @param verb   "solve", "contact", "load" or "run"
+/// @param place  option or parameter that names the verb, for messages
+/// @throws InputError for another word; for a scene whose neutral curve is wanted, which solve alone takes
+[[nodiscard]] Plan plan_of(Scene const& scene, std::string const& verb, std::string const& place);
 
 }  // namespace hdconj

@@ -13,11 +13,10 @@
 #include "hdconj/error.hpp"
 #include "hdconj/file/atomic_file.hpp"
 #include "hdconj/judgement.hpp"
-#include "hdconj/load.hpp"
 #include "hdconj/plan.hpp"
 #include "hdconj/read_scene.hpp"
-#include "hdconj/running.hpp"
 #include "hdconj/scene/schema.hpp"
+#include "hdconj/solve.hpp"
 #include "hdconj/version.hpp"
 #include "layout.hpp"
 #include "scene.hpp"
@@ -68,28 +67,13 @@ void translate(std::exception_ptr const& thrown, void*)
     }
 }
 
-/// What @p verb would run.
-Plan plan_of(Scene const& scene, std::string const& verb)
-{
-    if (verb == "solve")
-        return make_plan(scene);
-    if (verb != "contact" && verb != "load" && verb != "run")
-        throw InputError(Fault{"verb", 0, verb, "is no verb whose plan is known", "write solve, contact, load or run"});
-    if (scene.wants_neutral_curve())
-        throw InputError(Fault{"verb", 0, verb, "only solve takes a scene whose neutral curve is wanted",
-                               "leave it out, or use the scene that hdconj solve --completed writes"});
-    if (verb == "run")
-        return plan_run(scene);
-    return verb == "load" ? make_plan(loaded_scene(scene), Verb::load) : make_plan(scene, Verb::contact);
-}
-
 /// As `hdconj check --json --for VERB`.
 nb::str check_text(SceneHandle const& scene, std::string const& name, std::string const& verb)
 {
     if (!scene.faults().empty())
         return text_of(check_json(name, scene.faults(), nullptr));
     Scene const& sound = scene.sound();
-    Plan const plan = plan_of(sound, verb);
+    Plan const plan = plan_of(sound, verb, "verb");
     // the limits of a design are those of a neutral curve that is known
     return text_of(check_json(name, {}, &plan, sound.wants_neutral_curve() ? Notes{} : judge(sound)));
 }

@@ -81,7 +81,7 @@ Faults nearest_mesh(DesignWishes const& wishes, MeshChoice const& failed)
 
 /// The largest torque of two digits below the one asked for that the cup of @p failed stands, or one near it; nothing
 /// where its stress is too much without torque already, or where none is found in a few trials. The stress grows about
-/// evenly with the torque: each trial says which torque would just do.
+/// evenly with the torque, so that each trial says at which torque it would be the allowed one.
 std::optional<double> nearest_torque(DesignWishes wishes, MeshedSheet const& failed)
 {
     constexpr int most_trials = 8, two = 2;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A drive from wishes: rules, the scene, what is printed.
 #include "hdconj/design.hpp"
+#include "hdconj/units.hpp"
 
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -278,6 +279,27 @@ TEST_CASE("wishes that no design meets are all named with the nearest that works
         REQUIRE(error.faults().size() == 1);
         CHECK(error.faults().front().path == "--clearance");
     }
+}
+
+TEST_CASE("the nearest torque that is named works, and is named for the next larger one too", "[design]")
+{
+    DesignWishes wishes = type_50();
+    auto const nearest_to = [&](double torque) {
+        wishes.torque = torque * newton_metre;
+        try {
+            (void)design_drive(wishes);
+        } catch (InputError const& error) {
+            REQUIRE(error.faults().front().path == "--torque");
+            std::string const remedy = error.faults().front().remedy;
+            REQUIRE(remedy.starts_with("the nearest that works is "));
+            return std::stod(remedy.substr(remedy.rfind(' ')));
+        }
+        return torque;
+    };
+    double const nearest = nearest_to(200);
+    REQUIRE((nearest >= 10 && nearest < 99));  // its second digit is 1 N m
+    CHECK(nearest_to(nearest) == nearest);
+    CHECK(nearest_to(nearest + 1) == nearest);
 }
 
 }  // namespace hdconj::test::design_cases

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The plan of a verb by its name.
+#include "hdconj/load.hpp"
+#include "hdconj/running.hpp"
+#include "hdconj/solve.hpp"
+
+namespace hdconj {
+
+Plan plan_of(Scene const& scene, std::string const& verb, std::string const& place)
+{
+    if (verb == "solve")
+        return make_plan(scene, Verb::solve);
+    if (verb != "contact" && verb != "load" && verb != "run")
+        throw InputError(Fault{place, 0, verb, "is no verb whose plan is known", "write solve, contact, load or run"});
+    if (scene.wants_neutral_curve())
+        throw InputError(Fault{place, 0, verb, "only solve takes a scene whose neutral curve is wanted",
+                               "leave it out, or use the scene that hdconj solve --completed writes"});
+    if (verb == "run")
+        return plan_run(scene);
+    return verb == "load" ? make_plan(loaded_scene(scene), Verb::load) : make_plan(scene, Verb::contact);
+}
+
+}  // namespace hdconj
