@@ -17,7 +17,8 @@ legend_y(i) = panel_bottom + 70 + 25 * i
 cases = |$cases|
 height = legend_y(cases + 1)
 eval page
-eval axes(left_edge, right_edge, 82, panel_bottom)
+wide_tics = 20  # of four digits, beside which the label needs room
+eval axes(left_edge + wide_tics, right_edge, 82, panel_bottom)
 do for [i = 1:cases] {
   eval sample(left_edge, legend_y(i), line(curve_colour(i), 1.8))
   set label case_words(i) at screen px(left_edge + sample_text),py(legend_y(i)) noenhanced
