@@ -27,10 +27,10 @@ namespace hdconj::load {
     return slices < regular ? regular_safety * 3 : regular_safety;
 }
 
-/// Error of a number of teeth or balls that carry force. At a border of the zone of contact the next one carries or not
-/// by rounding, in each sector: no less than one of each. Beyond that the border moves by first order: between the grid
-/// asked for and an infinitely fine one as far as between it and the next coarser grid, and half as far as between the
-/// coarser two. Twice the larger.
+/// Error of a number of teeth or balls that carry force. Whether the one at the border of the zone of contact carries
+/// may depend on rounding, so the error is at least one for each sector. The border itself converges by first order:
+/// from the grid asked for to an infinitely fine one it moves as far as from the next coarser grid to this one, and
+/// half as far as between the two coarser grids. Twice the larger of these is taken.
 /// @param sectors  how often the ring repeats itself
 [[nodiscard]] int count_error(int fine, std::span<int const> coarser, int sectors);
 

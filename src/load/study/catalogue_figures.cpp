@@ -81,9 +81,10 @@ constexpr double StiffnessStages::*errors_of_stages[] = {&StiffnessStages::first
                                                          &StiffnessStages::knee_error,
                                                          &StiffnessStages::knee_twist_error};
 
-/// Adds to the errors of @p stages what the chords between the states of @p curve cut off. Half of the states change
-/// the lines by three times that, where the curve is smooth; half as much again of the larger of both halves is taken,
-/// since a half may agree by chance. The knee may agree in both: relative to its size it gets no less than the slopes.
+/// Adds to the errors of @p stages what the chords between the states of @p curve cut off. On a smooth curve that error
+/// is of second order in the distance of the states: lines through every second state differ by three times as much.
+/// There are two such halves. The larger difference is taken 1.5 times, because a half may agree by chance. The knee
+/// may agree in both, so its relative error is at least that of the slopes.
 void add_chord_errors(CurveBranches const& curve, StiffnessStages& stages)
 {
     constexpr double safety = 1.5;
