@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "part_of_case.hpp"
 
+#include <optional>
+#include <utility>
+
 #include "base/text.hpp"
 #include "hdconj/error.hpp"
-#include "hdconj/solve.hpp"
 #include "surface/build_slices.hpp"
 
 namespace hdconj::pipeline {
@@ -25,7 +27,8 @@ void write_with(Solution& out, contact::ContactStudyData& data, SurfaceSpec cons
     Scene scene = contact::middle_scene(data.scene);
     scene.circular_spline.backlash_offset = side_clearance;
     scene.circular_spline.inner_radius = tip;
-    Solution base = solve(scene);
+    conjugate::SolvedPlane solved = contact::solve_pair(std::move(scene), {}, std::nullopt, data.middle.cup);
+    Solution& base = solved.solution;
     out.judgement = base.judgement;
     if (z.size() == 1) {
         out.circular_spline = base.circular_spline;
@@ -34,7 +37,7 @@ void write_with(Solution& out, contact::ContactStudyData& data, SurfaceSpec cons
         return;
     }
     base.scene.coning = data.scene.coning;
-    ToothSurfaceBuilder builder(base, data.tooth, data.shape, z, data.threads);
+    ToothSurfaceBuilder builder(base, *data.maker);
     surface::write_outlines(out, builder.outline(spec, tip, sampling), data.tooth, z, spec.surface);
 }
 

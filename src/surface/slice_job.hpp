@@ -8,8 +8,10 @@
 #include <optional>
 #include <vector>
 
+#include "base/text.hpp"
 #include "conjugate/plane/conjugate_solver.hpp"
 #include "drive/stage_clock.hpp"
+#include "hdconj/error.hpp"
 #include "slice_motion.hpp"
 
 namespace hdconj::surface {
@@ -31,6 +33,17 @@ namespace hdconj::surface {
     return out;
 }
 
+/// A failure in one slice says which.
+template <class Body>
+void in_slice(double z, Body&& body)
+{
+    try {
+        body();
+    } catch (NumericalError const& error) {
+        throw error.inside("slices", "slice at z = " + short_number(z) + " mm");
+    }
+}
+
 /// One slice on its way to a boundary: a drive of its own without axial effects, with all that its solver refers to.
 struct SliceJob
 {
@@ -41,6 +54,16 @@ struct SliceJob
     }
     SliceJob(SliceJob const&) = delete;
     SliceJob& operator=(SliceJob const&) = delete;
+
+    /// The branches of the tooth: those of @p same where that is there, the job of the same plane with another side
+    /// clearance.
+    void find_branches(SliceJob const* same)
+    {
+        if (same != nullptr)
+            solve->take_branches(*same->solve);
+        else
+            solve->find_branches_of_tooth();
+    }
 
     /// Down to the tip circle @p tip [mm]. The last few are kept: a part is asked for with the tip circle of the scene,
     /// with the one that it needs and with the one to which moved flanks reach, and then with the first again.
@@ -62,7 +85,7 @@ struct SliceJob
     drive::StageClock clock;
     SliceMotion motion;
     std::optional<conjugate::ConjugateSolver> solve;
-    double pointed = 0;  ///< ConjugateSolver::pointed_radius() [mm]
+    std::optional<double> pointed;  ///< ConjugateSolver::pointed_radius(), where it was asked for [mm]
     std::vector<std::shared_ptr<conjugate::ToothSpaceBoundary const>> found;  ///< the oldest first
 };
 

@@ -27,17 +27,6 @@ std::vector<std::size_t> first_indices(std::size_t count)
     return all;
 }
 
-/// A failure in one slice says which.
-template <class Body>
-void in_slice(double z, Body&& body)
-{
-    try {
-        body();
-    } catch (NumericalError const& error) {
-        throw error.inside("slices", "slice at z = " + short_number(z) + " mm");
-    }
-}
-
 }  // namespace
 
 ToothSurfaceBuilder::ToothSurfaceBuilder(Solution const& base, profile::Profile const& tooth,
@@ -51,6 +40,16 @@ ToothSurfaceBuilder::ToothSurfaceBuilder(Solution const& base, profile::Profile 
       motions_(z_.size()),
       jobs_(z_.size())
 {
+}
+
+ToothSurfaceBuilder::ToothSurfaceBuilder(Solution const& base, ToothSurfaceBuilder& other)
+    : ToothSurfaceBuilder(base, *other.tooth_, other.shape_, other.z_, other.threads_)
+{
+    (void)other.follows_sections();
+    sections_ = other.sections_;
+    sections_asked_ = true;
+    motions_ = other.motions_;
+    other_clearance_ = &other;
 }
 
 ToothSurfaceBuilder::~ToothSurfaceBuilder() = default;
@@ -142,11 +141,11 @@ void ToothSurfaceBuilder::prepare_middle()
     if (middle_job_)
         return;
     auto made = std::make_unique<SliceJob>(*base_, motion_at(0), threads_);
-    made->solve->find_branches_of_tooth();
+    made->find_branches(other_clearance_ != nullptr ? other_clearance_->middle_job_.get() : nullptr);
     middle_job_ = std::move(made);
 }
 
-/// Branches and pointed radii of the slices @p wanted.
+/// Branches of the slices @p wanted.
 /// @param middle_too  what middle() needs, beside them
 void ToothSurfaceBuilder::prepare(std::vector<std::size_t> const& wanted, bool middle_too)
 {
@@ -169,8 +168,7 @@ void ToothSurfaceBuilder::prepare(std::vector<std::size_t> const& wanted, bool m
             return;
         in_slice(z_[k], [&] {
             auto made = std::make_shared<SliceJob>(*base_, motion(k), 1);
-            made->solve->find_branches_of_tooth();
-            made->pointed = made->solve->pointed_radius();
+            made->find_branches(other_clearance_ != nullptr ? other_clearance_->jobs_[k].get() : nullptr);
             jobs_[k] = std::move(made);
         });
     });

@@ -63,6 +63,9 @@ class ToothSurfaceBuilder
     /// @param z     places of the slices [mm], increasing
     ToothSurfaceBuilder(Solution const& base, profile::Profile const& tooth, wavegen::AnyWaveShape shape,
                         std::vector<double> z, int threads);
+    /// The same drive with another side clearance or tip circle, as @p base has them: what does not depend on these is
+    /// taken from @p other, which has to stay.
+    ToothSurfaceBuilder(Solution const& base, ToothSurfaceBuilder& other);
     ~ToothSurfaceBuilder();
     ToothSurfaceBuilder(ToothSurfaceBuilder const&) = delete;
     ToothSurfaceBuilder& operator=(ToothSurfaceBuilder const&) = delete;
@@ -164,7 +167,8 @@ class ToothSurfaceBuilder
     std::vector<std::shared_ptr<SliceJob>> jobs_;
     std::unique_ptr<SliceJob> middle_job_;
     std::optional<conjugate::MatchedOutline> base_flank_;
-    ToothSurfaceBuilder* coarse_ = nullptr;  // whose refined() this is
+    ToothSurfaceBuilder* coarse_ = nullptr;                 // whose refined() this is
+    ToothSurfaceBuilder const* other_clearance_ = nullptr;  // of the same drive
     std::unique_ptr<ToothSurfaceBuilder> refined_;
 };
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/text.hpp"
+#include "hdconj/base/parallel.hpp"
 #include "hdconj/error.hpp"
 #include "moved_outline.hpp"
 #include "slice_job.hpp"
@@ -90,6 +91,11 @@ std::vector<ToothSurfaceBuilder::SliceNeed> ToothSurfaceBuilder::slice_needs(Sur
         prepare(all, spec.surface == ToothSurface::tilted);
     else
         prepare({0});
+    parallel_for(coned() ? all.size() : 1, threads_, 1, [&](std::size_t k) {
+        if (!jobs_[k]->pointed)
+            in_slice(z_[k],
+                     [&] { jobs_[k]->pointed = jobs_[k]->solve->pointed_radius(g.circular_spline_inner_radius); });
+    });
     std::vector<SliceNeed> needs;
     for (std::size_t const k : all) {
         double const shift = z_[k] * std::tan(spec.tilt);
@@ -97,7 +103,7 @@ std::vector<ToothSurfaceBuilder::SliceNeed> ToothSurfaceBuilder::slice_needs(Sur
         // an outline of this slice's own is solved before it is moved, and needs its land there too, clear of the rim
         bool const moved_outward = shift > 0 && follows_cone(spec);
         double const gained = moved_outward ? 0 : shift;
-        needs.push_back({jobs_[own]->pointed + least - gained,
+        needs.push_back({*jobs_[own]->pointed + least - gained,
                          g.r_m + motion(own).amplitude + g.pitch_line - g.dedendum + least - gained,
                          spec.kind == TiltKind::draft ? meeting_tip(z_[k], spec.tilt) : 0});
     }

@@ -54,7 +54,7 @@ void ConjugateSolver::operator()(profile::Profile const& given)
 void ConjugateSolver::find_boundary()
 {
     if (is_moved())
-        clock_.run_rest(Stage::backlash, [&] { trace_moved(); });
+        clock_.run_rest(Stage::backlash, [&] { (void)moved_branches(); });
     auto const wanted = [&] {
         return out_.scene.circular_spline.backlash_offset - tolerance_.coincidence() - 2 * final_.space.gap;
     };
@@ -62,14 +62,10 @@ void ConjugateSolver::find_boundary()
         out_, first_chord(), [&](double c) { assemble(c); }, wanted, "");
 }
 
-double ConjugateSolver::pointed_radius() const
+double ConjugateSolver::pointed_radius(double tip)
 {
-    double const offset = out_.scene.circular_spline.backlash_offset;
-    envelope::AnyEnvelope const moved(tooth_, motion_, offset);
-    std::vector<envelope::ContactArc> const arcs =
-        all_arcs(offset > 0 ? envelope::find_branches(moved, out_.threads).branches : branches_);
-    return swept_polygons(moved, arcs, out_.geometry.circular_spline_inner_radius, pitch_, first_chord(), false)
-        .radius_between_spaces();
+    std::vector<envelope::ContactArc> const arcs = all_arcs(is_moved() ? moved_branches() : branches_);
+    return swept_polygons(final_envelope(), arcs, tip, pitch_, first_chord(), false).radius_between_spaces();
 }
 
 ToothSpaceBoundary ConjugateSolver::curve(std::shared_ptr<profile::Profile const> tooth) const
@@ -104,11 +100,14 @@ void ConjugateSolver::find_branches_of_tooth()
     });
 }
 
-void ConjugateSolver::trace_moved()
+std::vector<envelope::Branch> const& ConjugateSolver::moved_branches()
 {
-    envelope::BranchSet set = envelope::find_branches(final_envelope(), out_.threads);
-    refuse_lost_branches(set.record, tolerance_.length);
-    moved_branches_ = std::move(set.branches);
+    if (!moved_branches_) {
+        envelope::BranchSet set = envelope::find_branches(final_envelope(), out_.threads);
+        refuse_lost_branches(set.record, tolerance_.length);
+        moved_branches_ = std::move(set.branches);
+    }
+    return *moved_branches_;
 }
 
 void ConjugateSolver::find_pieces(double chord, DeferredTasks& jobs)
@@ -161,7 +160,7 @@ void ConjugateSolver::trace_boundary(double chord)
 {
     clock_.run(Stage::region, [&] { final_ = traced_space(base_, branches_, chord, tolerance_, out_); });
     clock_.run(Stage::backlash, [&] {
-        TracedSpace shifted = traced_space(final_envelope(), moved_branches_, chord, tolerance_, out_);
+        TracedSpace shifted = traced_space(final_envelope(), moved_branches(), chord, tolerance_, out_);
         require_same_topology(base_, final_.arcs, final_.space, shifted.arcs, shifted.space, pitch_,
                               out_.scene.circular_spline.backlash_offset, tolerance_.length);
         final_ = std::move(shifted);

@@ -46,12 +46,16 @@ class ConjugateSolver
     /// First half of the work: all that does not depend on the tip circle.
     void find_branches_of_tooth();
 
+    /// The same, from a solver of the same tooth and motion that has found them, whatever its side clearance.
+    void take_branches(ConjugateSolver const& other) { branches_ = other.branches_; }
+
     /// Second half: the boundary down to the tip circle of `out`.geometry, checked over a full turn.
     void find_boundary();
 
     /// The radius at which the circular spline's teeth would be pointed, with its side clearance: the teeth sweep all
     /// that lies inside it half-way between two spaces. Accuracy: that of the first polygons.
-    [[nodiscard]] double pointed_radius() const;
+    /// @param tip  of the circular spline, from which on the teeth are looked at [mm]
+    [[nodiscard]] double pointed_radius(double tip);
 
     /// The boundary that was found, as a curve. @param tooth  the one that was solved, kept alive
     [[nodiscard]] ToothSpaceBoundary curve(std::shared_ptr<profile::Profile const> tooth) const;
@@ -61,8 +65,8 @@ class ConjugateSolver
     [[nodiscard]] bool is_moved() const { return out_.plan.has(Stage::backlash); }
     [[nodiscard]] envelope::AnyEnvelope final_envelope() const;
 
-    /// The branches of the tooth with the side clearance on it.
-    void trace_moved();
+    /// The branches of the tooth with the side clearance on it; found once.
+    [[nodiscard]] std::vector<envelope::Branch> const& moved_branches();
 
     /// Finds the boundary, and leaves its pieces to be sampled to @p jobs.
     void find_pieces(double chord, DeferredTasks& jobs);
@@ -93,7 +97,7 @@ class ConjugateSolver
     double pitch_;
     Tolerance tolerance_;
     std::vector<envelope::Branch> branches_;
-    std::vector<envelope::Branch> moved_branches_;
+    std::optional<std::vector<envelope::Branch>> moved_branches_;
     std::optional<envelope::AnyEnvelope> moved_;  ///< of the tooth with the side clearance on it
     TracedSpace final_;
     std::optional<CentredOutlineSampler> sampler_;  ///< of the boundary in final_

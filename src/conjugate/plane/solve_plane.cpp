@@ -20,7 +20,8 @@ namespace {
 void solve_cup(Solution& out, wavegen::AnyWaveShape const& shape, std::optional<double> width_of_error)
 {
     Scene const& scene = out.scene;
-    out.cup = drive::bent_cup(scene, out.geometry.flexspline_inner_radius, shape, out.threads);
+    if (!out.cup)
+        out.cup = drive::bent_cup(scene, out.geometry.flexspline_inner_radius, shape, out.threads);
     std::optional<BentCupError> known;
     if (width_of_error) {
         known = drive::cup_error(scene, *out.cup, shape, out.geometry.r_m, *width_of_error, out.threads);

@@ -21,7 +21,7 @@ struct SolvedPlane
 
 /// Solves the scene of @p plane at z = 0: tooth, cup where the scene has an elastic one, branches, tooth space,
 /// outline. Slices, tilt and a side clearance that is looked for are not its affair.
-/// @param plane  its solution has the scene and the plan, by which @p clock runs
+/// @param plane  its solution has the scene and the plan, by which @p clock runs, and the cup where it is known
 /// @param cup_error  width about the middle over which it is asked how well an elastic cup is known, which takes
 /// another
 ///                   cup [mm]; 0: in the middle; none: not asked

@@ -2,7 +2,9 @@
 // The context of a study with all that it refers to.
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include "conjugate/plane/solve_plane.hpp"
 #include "contact_context.hpp"
@@ -32,13 +34,15 @@ inline constexpr ContactRequest standard_contact{standard_gap, 200, 0, 0};
     return middle;
 }
 
-/// That pair, solved.
-[[nodiscard]] inline conjugate::SolvedPlane solve_middle(Scene const& scene, StageObserver const& on_stage,
-                                                         std::optional<double> cup_error)
+/// The pair of @p scene, which has no axial effects, solved. @param cup  on its wave generator, where it is known
+[[nodiscard]] inline conjugate::SolvedPlane solve_pair(Scene scene, StageObserver const& on_stage,
+                                                       std::optional<double> cup_error,
+                                                       std::shared_ptr<elastic::BentCup const> cup = {})
 {
     conjugate::SolvedPlane plane;
     Solution& middle = plane.solution;
-    middle.scene = middle_scene(scene);
+    middle.scene = std::move(scene);
+    middle.cup = std::move(cup);
     if (Faults const faults = check_scene(middle.scene); !faults.empty())
         throw InputError(faults);
     middle.plan = make_plan(middle.scene);
@@ -56,8 +60,8 @@ struct ContactStudyData
         : scene(asked),
           plan(make_plan(scene, verb)),
           clock(plan, on_stage),
-          plane(solve_middle(scene, on_stage,
-                             plan.has(Stage::load) ? std::nullopt : std::optional(drive::width_of_slices(scene)))),
+          plane(solve_pair(middle_scene(scene), on_stage,
+                           plan.has(Stage::load) ? std::nullopt : std::optional(drive::width_of_slices(scene)))),
           threads(middle.threads)
     {
         middle.scene.coning = scene.coning;
