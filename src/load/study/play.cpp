@@ -13,6 +13,8 @@
 namespace hdconj::load {
 namespace {
 
+constexpr double touching = 1e-3;  ///< of the module: mesh and interpolation move teeth by some nanometres
+
 double pitch_of(LoadProblem const& problem)
 {
     return 2 * std::numbers::pi / problem.context.scene.drive.circular_spline_teeth;
@@ -39,6 +41,8 @@ std::optional<double> first_touch(LoadProblem const& problem, contact::GapField 
     auto& [turn, contacts, known] = from;
     double const begin = turn;
     constexpr int most_steps = 60;
+    constexpr double narrower = 0.25;  // of the way of a step that ends at a flank
+    double const least = std::min(limit, touching * problem.context.scene.drive.module);
     for (int i = 0; i < most_steps && std::abs(turn - begin) <= pitch_of(problem); ++i) {
         double step = limit / field.reach();
         for (FlankContact const& c : contacts)
@@ -47,6 +51,8 @@ std::optional<double> first_touch(LoadProblem const& problem, contact::GapField 
         turn += sense * step;
         if (std::abs(step) * field.reach() <= gap_tolerance(problem))
             return turn;
+        if (step < limit / field.reach())
+            limit = std::min(limit, std::max(least, narrower * std::abs(step) * field.reach()));
         known.lower(problem.deviation ? std::numeric_limits<double>::infinity() : std::abs(step) * field.reach());
         contacts = flank_contacts(field, flank_search(problem, turn, limit), problem.context.threads, &known);
     }
@@ -70,28 +76,43 @@ GapMap sector_at_rest(LoadProblem const& problem, contact::GapField const& field
     return map;
 }
 
-/// Nothing where a side has no first touch.
-std::optional<Play> touches_about(LoadProblem const& problem, contact::GapField const& field, double middle,
-                                  double limit)
+TurnedTeeth teeth_at(LoadProblem const& problem, contact::GapField const& field, double turn, double limit)
 {
-    TurnedTeeth from{middle, {}, {}};
-    from.contacts = flank_contacts(field, flank_search(problem, middle, limit), problem.context.threads, &from.known);
+    TurnedTeeth teeth{turn, {}, {}};
+    teeth.contacts = flank_contacts(field, flank_search(problem, turn, limit), problem.context.threads, &teeth.known);
+    return teeth;
+}
+
+/// Nothing where a side has no first touch.
+std::optional<Play> touches_from(LoadProblem const& problem, contact::GapField const& field, TurnedTeeth const& from,
+                                 double limit)
+{
     std::optional<double> const right = first_touch(problem, field, from, 1, limit),
                                 left = first_touch(problem, field, from, -1, limit);
     return right && left ? std::optional(Play{*right, -*left}) : std::nullopt;
+}
+
+/// The play about no turn. Nothing where teeth interfere there, or a side has no first touch.
+std::optional<Play> play_from_rest(LoadProblem const& problem, contact::GapField const& field)
+{
+    double const limit = search_limit(problem);
+    TurnedTeeth const rest = teeth_at(problem, field, 0, limit);
+    bool const free = std::ranges::all_of(rest.contacts, [](FlankContact const& c) { return c.gap >= 0; });
+    return free ? touches_from(problem, field, rest, limit) : std::nullopt;
 }
 
 }  // namespace
 
 std::optional<Play> play_of(LoadProblem const& problem, LoadedShape const& shape)
 {
-    constexpr double model_accuracy = 1e-3;  // of the module: mesh and interpolation move teeth by some nanometres
     auto const& drive = problem.context.scene.drive;
     int const threads = problem.context.threads;
     contact::GapField const field = gap_field(problem, shape, problem.edges);
+    if (std::optional<Play> const play = play_from_rest(problem, field))
+        return play;
     GapMap const rest = sector_at_rest(problem, field);
     double const pitch = pitch_of(problem);
-    double const touches = model_accuracy * drive.module;
+    double const touches = touching * drive.module;
     try {
         Play const play{contact::turn_to_contact(field, rest, GapMap::right, pitch, threads, touches).turn,
                         contact::turn_to_contact(field, rest, GapMap::left, pitch, threads, touches).turn};
@@ -99,7 +120,7 @@ std::optional<Play> play_of(LoadProblem const& problem, LoadedShape const& shape
             return play;
         constexpr double beyond = 16;  // times what touches
         double const limit = std::min(search_limit(problem), field.reach() * 0.5 * width_of(play) + beyond * touches);
-        return touches_about(problem, field, middle_of(play), limit).value_or(play);
+        return touches_from(problem, field, teeth_at(problem, field, middle_of(play), limit), limit).value_or(play);
     } catch (NumericalError const& error) {
         if (error.code() != ErrorCode::no_contact && error.code() != ErrorCode::not_converged)
             throw;
@@ -109,8 +130,9 @@ std::optional<Play> play_of(LoadProblem const& problem, LoadedShape const& shape
 
 Play play_about(LoadProblem const& problem, LoadedShape const& shape, double middle)
 {
-    if (std::optional<Play> const play =
-            touches_about(problem, gap_field(problem, shape, problem.edges), middle, search_limit(problem)))
+    contact::GapField const field = gap_field(problem, shape, problem.edges);
+    double const limit = search_limit(problem);
+    if (std::optional<Play> const play = touches_from(problem, field, teeth_at(problem, field, middle, limit), limit))
         return *play;
     throw NumericalError(ErrorCode::interference, "load", "play",
                          "the teeth interfere, and no turn within a pitch brings them apart",
