@@ -104,7 +104,8 @@ void add_wishes(CLI::App& verb, DesignArguments& own)
            "206000");
     number("--poissons-ratio", own.poissons_ratio, "its Poisson's ratio [of the material]", "NU", "0.3");
     number("--land", wishes.land, "least tip land in modules [0.4]", "M", "0.4");
-    number("--clearance", wishes.clearance, "side clearance of each flank in mm [0]", "MM", "0.02");
+    number("--clearance", wishes.clearance,
+           "least side clearance of each flank in mm; with --torque more where the cone needs it [0]", "MM", "0.02");
     number("--safety", wishes.safety, "least fatigue strength over largest stress of the cup [1.2]", "S", "1.2");
 }
 

@@ -31,7 +31,7 @@ struct DesignWishes
     std::optional<double> youngs_modulus;        ///< of the flexspline's steel [MPa]
     std::optional<double> poissons_ratio;        ///< of the flexspline's steel
     double land = 0.4;                           ///< least tip land of either member, in modules
-    double clearance = 0;                        ///< side clearance of each flank of the circular spline [mm]
+    double clearance = 0;                        ///< least side clearance of each flank [mm]
     double safety = 1.2;                         ///< least fatigue strength over largest stress
     std::string name = "designed";               ///< of the drive
 };
@@ -94,6 +94,8 @@ struct WallTrial
     double loaded = 0;          ///< the same at the rated torque [MPa]
     double error = 0;           ///< estimated discretisation error of that; 0: not estimated [MPa]
     double side_clearance = 0;  ///< with which the teeth of the coned cup are clear [mm]
+    double tip_radius = 0;      ///< tip circle of the circular spline with which they are [mm]
+    bool interferes = false;    ///< no side clearance and tip circle of the search make both
     std::string refusal;        ///< why it is not taken; empty: it works
 };
 

@@ -192,7 +192,7 @@ void add_steel(Sheet& sheet, Material const& steel, DesignWishes const& given, s
 }
 
 /// The ring is wider than its teeth, which lie inside those of the flexspline.
-void add_spline_rows(Sheet& sheet, DesignWishes const& wishes)
+void add_spline_rows(Sheet& sheet, DesignWishes const& wishes, ConeNeed const& cone)
 {
     double const teeth = sheet["L_2"];
     constexpr double share_of_teeth = 7.0 / 8, wider_from = 2, wider_to = 3;
@@ -201,16 +201,13 @@ void add_spline_rows(Sheet& sheet, DesignWishes const& wishes)
                DesignOrigin::rule, "type-50 has L_2 - 1, against the rule"});
     sheet.add(equation("width of its toothing", "", "circular_spline.width", "7/8 L_2, inside the flexspline's teeth",
                        share_of_teeth * teeth, "type-50"));
-    sheet.add({"side clearance",
-               "",
-               "circular_spline.backlash_offset",
-               "as asked for",
-               {},
-               wishes.clearance,
-               "mm",
-               "wish",
-               DesignOrigin::wish,
-               ""});
+    bool const for_cone = cone.clearance > wishes.clearance;
+    sheet.add({"side clearance", "", "circular_spline.backlash_offset",
+               for_cone ? "teeth of the coned cup clear over a turn" : "as asked for",
+               for_cone ? std::optional(DesignRange{cone.clearance, DesignRange().high}) : std::nullopt,
+               for_cone ? cone.clearance : wishes.clearance, "mm", for_cone ? "load" : "wish",
+               for_cone ? DesignOrigin::computed : DesignOrigin::wish,
+               for_cone ? "more than --clearance, with which the cup would interfere" : ""});
     add_steel(sheet, spline_material(), {}, "circular_spline", "circular spline");
 }
 
@@ -239,7 +236,7 @@ void add_bearing_rows(Sheet& sheet)
 
 }  // namespace
 
-void add_body_rows(Sheet& sheet, DesignWishes const& wishes, double wall)
+void add_body_rows(Sheet& sheet, DesignWishes const& wishes, double wall, ConeNeed const& cone)
 {
     Body(sheet, wall, wishes.torque.has_value())();
     DesignRow inner =
@@ -250,7 +247,7 @@ void add_body_rows(Sheet& sheet, DesignWishes const& wishes, double wall)
     sheet.add(equation("radius of the clamped flange", "", "flexspline.cup.flange_radius", "d_1/2", sheet["d_1"] / 2,
                        table_4_1));
     add_steel(sheet, material_of(wishes), wishes, "flexspline.cup", "flexspline");
-    add_spline_rows(sheet, wishes);
+    add_spline_rows(sheet, wishes, cone);
     add_bearing_rows(sheet);
     if (wishes.torque)
         sheet.add({"rated torque on the circular spline",

@@ -58,9 +58,6 @@ void add_results(Design& design, MeshedSheet const& made)
         "load");
     add("the same at the rated torque", "sigma_-1/S", {0, allowed_stress(design.wishes)}, wall.loaded, "MPa", "load",
         error);
-    if (wall.side_clearance > design.wishes.clearance)
-        add("side clearance that the cone needs", "teeth clear over a turn", {0, open}, wall.side_clearance, "mm",
-            "load", "more than --clearance: `hdconj load` adds it");
     add("safety against fatigue", "sigma_-1 over that, as asked for", {design.wishes.safety, open},
         fatigue / std::max(wall.assembled, wall.loaded), "1", "load");
 }

@@ -66,7 +66,10 @@ std::optional<std::size_t> best_of(std::vector<MeshTrial> const& trials)
 class MeshSearch
 {
   public:
-    MeshSearch(Sheet const& sheet, DesignWishes const& wishes) : sheet_(sheet), wishes_(wishes) {}
+    MeshSearch(Sheet const& sheet, DesignWishes const& wishes, double least_tip)
+        : sheet_(sheet), wishes_(wishes), least_tip_(least_tip)
+    {
+    }
 
     /// The least tip circle that works with the deformation ratio @p ratio.
     [[nodiscard]] MeshTrial operator()(double ratio) const
@@ -75,12 +78,13 @@ class MeshSearch
         Drive drive;
         drive.module = m;
         drive.flexspline_teeth = static_cast<int>(sheet_["z_f"]);
-        double low = scene::usual_tip_radius(drive, sheet_["h_a"], sheet_["h_f"], w0);
+        double const usual = scene::usual_tip_radius(drive, sheet_["h_a"], sheet_["h_f"], w0);
+        double low = std::max(usual, least_tip_);
         Attempt best = attempt(ratio, low);
         if (!best.too_small)
             return best.trial;
         // where a third of the tooth is left there is no mesh to speak of
-        double high = low + 2 * sheet_["h_a"] / 3;
+        double high = std::max(low, usual + 2 * sheet_["h_a"] / 3);
         best = attempt(ratio, high);
         constexpr double resolved = 0.01;  // modules
         while (!best.too_small && high - low > resolved * m) {
@@ -145,6 +149,7 @@ class MeshSearch
 
     Sheet const& sheet_;
     DesignWishes const& wishes_;
+    double least_tip_;
 };
 
 }  // namespace
@@ -155,6 +160,15 @@ MeshFigures::MeshFigures(Solution const& solution)
       flank_contact(solution.scene.drive.flexspline_teeth * solution.flank_contact.angle / (2 * std::numbers::pi)),
       lost(solution.flank_contact.used > 0 ? solution.flank_contact.lost / solution.flank_contact.used : 0)
 {
+}
+
+std::string usual_refusal(MeshChoice const& failed)
+{
+    auto const nearest = std::min_element(
+        failed.trials.begin(), failed.trials.end(),
+        [](MeshTrial const& a, MeshTrial const& b) { return std::abs(a.ratio - 1) < std::abs(b.ratio - 1); });
+    return "no radial deformation from 0.8 to 1.2 m (z_c - z_f)/2 makes a mesh; with " + short_number(nearest->w0) +
+           " mm " + nearest->refusal;
 }
 
 std::vector<DesignRow> mesh_rows(Sheet const& sheet, DesignWishes const& wishes, double ratio, double tip_radius)
@@ -199,12 +213,12 @@ std::vector<DesignRow> mesh_rows(Sheet const& sheet, DesignWishes const& wishes,
     return rows;
 }
 
-MeshChoice search_mesh(Sheet const& sheet, DesignWishes const& wishes)
+MeshChoice search_mesh(Sheet const& sheet, DesignWishes const& wishes, double least_tip)
 {
     constexpr int steps = 20;
     MeshChoice choice;
     choice.trials.resize(steps + 1);
-    MeshSearch const search(sheet, wishes);
+    MeshSearch const search(sheet, wishes, least_tip);
     parallel_for(choice.trials.size(), 0, 1, [&](std::size_t i) {
         double const step = (scene::largest_usual_ratio - scene::least_usual_ratio) / steps;
         choice.trials[i] = search(rounded(scene::least_usual_ratio + static_cast<double>(i) * step));

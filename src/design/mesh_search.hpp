@@ -18,8 +18,12 @@ struct MeshChoice
 
 /// Tries radial deformations of 0.8 to 1.2 times m (z_c - z_f)/2, each with the least tip circle that leaves a land as
 /// wide as asked and tips that part.
-/// @param sheet  teeth and body
-[[nodiscard]] MeshChoice search_mesh(Sheet const& sheet, DesignWishes const& wishes);
+/// @param sheet      teeth and body
+/// @param least_tip  no tip circle is smaller [mm]
+[[nodiscard]] MeshChoice search_mesh(Sheet const& sheet, DesignWishes const& wishes, double least_tip);
+
+/// Why the trial of @p failed that is nearest to the usual deformation is refused.
+[[nodiscard]] std::string usual_refusal(MeshChoice const& failed);
 
 /// Of a solved pair: tip land [modules], teeth in flank contact, angle lost before a cusp over angle used.
 struct MeshFigures

@@ -11,16 +11,6 @@
 namespace hdconj::design {
 namespace {
 
-/// Why the trial nearest to the usual deformation is refused.
-std::string why(MeshChoice const& failed)
-{
-    auto const nearest = std::min_element(
-        failed.trials.begin(), failed.trials.end(),
-        [](MeshTrial const& a, MeshTrial const& b) { return std::abs(a.ratio - 1) < std::abs(b.ratio - 1); });
-    return "no radial deformation from 0.8 to 1.2 m (z_c - z_f)/2 makes a mesh; with " + short_number(nearest->w0) +
-           " mm " + nearest->refusal;
-}
-
 bool has_mesh(DesignWishes const& wishes)
 {
     return check_design(wishes).empty() && mesh_with_wall(wishes).mesh.best.has_value();
@@ -54,7 +44,7 @@ Fault fault_of(char const* option, std::string asked, std::string const& reason,
 Faults nearest_mesh(DesignWishes const& wishes, MeshChoice const& failed)
 {
     Faults faults;
-    std::string const reason = why(failed);
+    std::string const reason = usual_refusal(failed);
     auto const try_between = [&](char const* option, double asked, double easiest, auto enter) {
         if (auto const value = nearest_value(wishes, asked, easiest, enter))
             faults.push_back(fault_of(option, short_number(asked), reason, short_number(*value)));
@@ -134,6 +124,9 @@ Faults nearest_load(DesignWishes const& wishes, MeshedSheet const& failed)
     std::string const reason = "with the best wall, " + short_number(last.wall) + " mm: " + last.refusal +
                                (is_bent_too_far ? ", without torque already" : "");
     Faults faults;
+    if (last.interferes)
+        return {{"--length-ratio", 0, short_number(wishes.length_ratio), reason,
+                 "write a larger one, whose cup cones less, a smaller --land or another --family"}};
     if (auto const torque = nearest_torque(wishes, failed))
         faults.push_back(fault_of("--torque", short_number(*wishes.torque / newton_metre), reason,
                                   short_number(*torque / newton_metre)));

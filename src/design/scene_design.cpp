@@ -72,7 +72,7 @@ std::optional<double> figure_of(DesignRow const& row, Solution const& drive)
 /// Whether @p value lies in @p range, ends as exact as drawings have them.
 bool lies_in(DesignRange const& range, double value)
 {
-    return range.contains(value) || agree(value, range.low) || agree(value, range.high);
+    return range.contains(value) || agree(value, range.low) || (std::isfinite(range.high) && agree(value, range.high));
 }
 
 RuleStanding standing_of(DesignRow const& row, std::string const& here)

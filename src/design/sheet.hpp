@@ -12,6 +12,8 @@ namespace hdconj::design {
 
 /// @p value with three significant digits, as a drawing has it.
 [[nodiscard]] double rounded(double value, int digits = 3);
+/// The least such value that is no smaller than @p value.
+[[nodiscard]] double rounded_up(double value, int digits = 3);
 
 /// Dimensions so far; later rows take earlier ones by their symbols.
 class Sheet
@@ -29,6 +31,13 @@ class Sheet
     std::vector<DesignRow> rows_;
 };
 
+/// The least of both with which load computes the coned cup; 0: nothing is known of a cone.
+struct ConeNeed
+{
+    double clearance = 0;   ///< side clearance [mm]
+    double tip_radius = 0;  ///< tip circle of the circular spline [mm]
+};
+
 /// The scene of the rows with a key, and of @p changes, which take the place of rows of the same key.
 /// @throws InputError with every fault, those of geometry among them
 [[nodiscard]] Scene scene_of(std::vector<DesignRow> const& rows, std::vector<DesignRow> const& changes = {});
@@ -38,6 +47,7 @@ class Sheet
 /// The tooth of the family that is asked for.
 void add_tooth_rows(Sheet& sheet, DesignWishes const& wishes);
 /// The body of flexspline, circular spline and bearing. @param wall  of the ring, over the pitch diameter
-void add_body_rows(Sheet& sheet, DesignWishes const& wishes, double wall);
+/// @param cone  what the circular spline has to leave the cup
+void add_body_rows(Sheet& sheet, DesignWishes const& wishes, double wall, ConeNeed const& cone);
 
 }  // namespace hdconj::design

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "base/text.hpp"
+#include "hdconj/contact.hpp"
 #include "hdconj/load.hpp"
 #include "wishes.hpp"
 
@@ -22,11 +23,11 @@ double badness(WallTrial const& trial)
 
 }  // namespace
 
-Sheet sheet_of(DesignWishes const& wishes, double wall)
+Sheet sheet_of(DesignWishes const& wishes, double wall, ConeNeed const& cone)
 {
     Sheet sheet = drive_rows(wishes);
     add_tooth_rows(sheet, wishes);
-    add_body_rows(sheet, wishes, wall);
+    add_body_rows(sheet, wishes, wall, cone);
     return sheet;
 }
 
@@ -43,7 +44,7 @@ MeshedSheet mesh_with_wall(DesignWishes const& wishes)
     MeshedSheet made;
     for (double const wall : walls) {
         made.sheet = sheet_of(wishes, wall);
-        made.mesh = search_mesh(made.sheet, wishes);
+        made.mesh = search_mesh(made.sheet, wishes, 0);
         auto const& trials = made.mesh.trials;
         bool const thinner_may_do =
             std::any_of(trials.begin(), trials.end(), [](MeshTrial const& trial) { return trial.wall_stress; });
@@ -66,6 +67,7 @@ WallTrial stress_of(MeshedSheet const& made, DesignWishes const& wishes)
         trial.assembled = study.cup.largest_stress;
         trial.loaded = only.curve[only.rated].largest_stress;
         trial.side_clearance = only.backlash_offset;
+        trial.tip_radius = only.tip;
         trial.error = only.estimated ? only.error.largest_stress : 0;
         double const most = std::max(trial.assembled, trial.loaded);
         if (most > allowed_stress(wishes))
@@ -79,6 +81,63 @@ WallTrial stress_of(MeshedSheet const& made, DesignWishes const& wishes)
     return trial;
 }
 
+namespace {
+
+/// What the coned cup needs of the circular spline so that no tooth is entered over a turn.
+ConeNeed cone_need(Scene const& scene)
+{
+    ContactOptions options;
+    options.errors = false;
+    ContactCase const only = study_contact(loaded_scene(scene), options).cases.front();
+    return {std::max(only.least_side_clearance, only.backlash_offset), only.tip};
+}
+
+/// Why no mesh leaves the coned cup clear.
+std::string without_mesh(ConeNeed const& cone, MeshChoice const& tried)
+{
+    return "the coned cup needs a side clearance of " + short_number(cone.clearance) + " mm and a tip radius of " +
+           short_number(cone.tip_radius) + " mm, with which " +
+           (tried.best ? "another radial deformation is the best, which needs more" : usual_refusal(tried));
+}
+
+/// The mesh with @p wall, and its stress, whose side clearance and tip circle leave the coned cup clear. Each round
+/// starts from what the one before needs; another radial deformation may need more. A wall without any mesh has no
+/// stress.
+MeshedSheet mesh_with_cone(DesignWishes const& wishes, double wall)
+{
+    constexpr int rounds = 8, digits_of_tip = 6;
+    ConeNeed cone;
+    MeshedSheet made{sheet_of(wishes, wall), {}, {}};
+    made.mesh = search_mesh(made.sheet, wishes, 0);
+    for (int i = 0; made.mesh.best; ++i) {
+        Scene const scene = scene_of(made.rows());
+        double const clearance = scene.circular_spline.backlash_offset, tip = *scene.circular_spline.inner_radius;
+        ConeNeed need = made.walls.empty() ? cone_need(scene)
+                                           : ConeNeed{made.walls.back().side_clearance, made.walls.back().tip_radius};
+        bool const is_clear = need.clearance <= clearance && need.tip_radius <= tip;
+        if (is_clear && !made.walls.empty())
+            break;
+        if (is_clear) {
+            made.walls = {stress_of(made, wishes)};
+            continue;
+        }
+        cone = {std::max(cone.clearance, rounded_up(need.clearance)),
+                std::max(cone.tip_radius, rounded_up(need.tip_radius, digits_of_tip))};
+        MeshedSheet next{sheet_of(wishes, wall, cone), {}, {}};
+        next.mesh = search_mesh(next.sheet, wishes, cone.tip_radius);
+        if (!next.mesh.best || i == rounds) {
+            made.walls = {stress_of(made, wishes)};
+            made.walls.back().interferes = true;
+            made.walls.back().refusal = without_mesh(cone, next.mesh);
+            break;
+        }
+        made = std::move(next);
+    }
+    return made;
+}
+
+}  // namespace
+
 MeshedSheet mesh_under_torque(DesignWishes const& wishes, std::function<void(std::string const&)> const& talk)
 {
     MeshedSheet best = mesh_with_wall(wishes);
@@ -87,18 +146,15 @@ MeshedSheet mesh_under_torque(DesignWishes const& wishes, std::function<void(std
     std::vector<WallTrial> tried;
     // the first is that of type-50; bending asks for a thinner wall, torque for a thicker one
     for (double const wall : std::array{0.014, 0.012, 0.01, 0.015}) {
-        MeshedSheet made{sheet_of(wishes, wall), {}, {}};
-        made.mesh = search_mesh(made.sheet, wishes);
+        if (talk)
+            talk("stress with a wall of " + short_number(wall * best.sheet["d_r"], digits) + " mm");
+        MeshedSheet const made = mesh_with_cone(wishes, wall);
         if (!made.mesh.best)
             continue;
-        if (talk)
-            talk("stress with a wall of " + short_number(made.sheet["delta"]) + " mm");
-        WallTrial const trial = stress_of(made, wishes);
+        WallTrial const& trial = made.walls.back();
         tried.push_back(trial);
-        if (best.walls.empty() || trial.refusal.empty() || badness(trial) < badness(best.walls.back())) {
+        if (best.walls.empty() || trial.refusal.empty() || badness(trial) < badness(best.walls.back()))
             best = made;
-            best.walls = {trial};
-        }
         if (trial.refusal.empty())
             break;
     }

@@ -10,7 +10,7 @@
 namespace hdconj::design {
 
 /// Dimensions of the wishes, with the wall @p wall over the pitch diameter.
-[[nodiscard]] Sheet sheet_of(DesignWishes const& wishes, double wall);
+[[nodiscard]] Sheet sheet_of(DesignWishes const& wishes, double wall, ConeNeed const& cone = {});
 
 /// Dimensions with a mesh, and the walls that were tried under torque.
 struct MeshedSheet
@@ -26,15 +26,15 @@ struct MeshedSheet
 };
 
 /// The wall nearest to type-50's 0.014 d_r in the range of the rule with which there is a mesh whose bending the safety
-/// allows. A torque is left out.
+/// allows. A torque is left out, and with it the cone of the cup.
 [[nodiscard]] MeshedSheet mesh_with_wall(DesignWishes const& wishes);
 
-/// The same, and with a torque the stress of study_load() keeps the safety. Where no wall does, the one with the least
-/// stress comes last.
+/// The same, and with a torque the stress of study_load() keeps the safety, with a side clearance and a tip circle that
+/// leave the coned cup clear. Where no wall does, the one with the least stress comes last.
 [[nodiscard]] MeshedSheet mesh_under_torque(DesignWishes const& wishes,
                                             std::function<void(std::string const&)> const& talk);
 
-/// Stress of the cup with the dimensions of @p made under the torque of the wishes.
+/// Stress of the cup with the dimensions of @p made under the torque of the wishes, and what its cone needs.
 [[nodiscard]] WallTrial stress_of(MeshedSheet const& made, DesignWishes const& wishes);
 
 }  // namespace hdconj::design

@@ -135,7 +135,8 @@ TEST_CASE("design writes a scene that check, contact and load take", "[cli][desi
     INFO(made.err);
     REQUIRE(made.status == 0);
     CHECK(made.out.find("\"stress_loaded_MPa\"") != std::string::npos);
-    for (std::string const verb : {"check d.toml --strict", "contact d.toml", "load d.toml --no-curve"}) {
+    for (std::string const verb :
+         {"check d.toml --strict", "solve d.toml --strict", "contact d.toml", "load d.toml --no-curve"}) {
         auto const taken = hdconj_run(verb, folder.path());
         INFO(verb << "\n" << taken.err);
         CHECK(taken.status == 0);

@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "hdconj/contact.hpp"
 #include "hdconj/design_files.hpp"
+#include "hdconj/load.hpp"
 #include "hdconj/read_scene.hpp"
 #include "hdconj/solve.hpp"
 #include "support/catch.hpp"
@@ -139,8 +141,43 @@ TEST_CASE("a drive beside the design of its wishes", "[design]")
     CHECK(standing("R_1") == "not stated");
     CHECK(standing("d_rn") == "as proposed");
     CHECK(standing("t") == "not in a scene");
+    auto const clearance = std::ranges::find(made.design.rows, "side clearance", &DesignRow::name);
+    CHECK(to_string(made.here[static_cast<std::size_t>(clearance - made.design.rows.begin())].standing) ==
+          "outside the range");  // none, and the cone needs some
     CHECK(made.design.other == "type-50");
     CHECK_FALSE(made.design.differences.empty());
+}
+
+TEST_CASE("a design under torque keeps its land with the side clearance that its cone needs", "[design]")
+{
+    std::vector<DesignWishes> all(3, type_50());
+    all[0].torque = 28 * newton_metre;
+    all[0].length_ratio = 0.25;
+    all[1].ratio = 160;
+    all[1].diameter = 40;
+    all[1].torque = 8 * newton_metre;
+    all[1].clearance = 0.01;
+    all[2].torque = 15 * newton_metre;
+    all[2].family = "involute";
+    for (DesignWishes const& wishes : all) {
+        Scene const scene = design_drive(wishes).scene;
+        INFO(wishes.family << " " << wishes.ratio);
+        CHECK(scene.circular_spline.backlash_offset > wishes.clearance);
+        Solution const solved = solve(scene);
+        CHECK(2 * solved.geometry.land_half_angle * solved.geometry.circular_spline_inner_radius >=
+              wishes.land * scene.drive.module);
+        LoadOptions load;
+        load.curve = load.errors = false;
+        LoadCase const loaded = study_load(scene, load).cases.front();
+        CHECK_FALSE(loaded.side_clearance_increased);
+        CHECK(loaded.tip_radius_increase == 0);
+        ContactOptions contact;
+        contact.errors = false;
+        ContactCase const coned = study_contact(loaded_scene(scene), contact).cases.front();
+        CHECK_FALSE(coned.side_clearance_increased);
+        CHECK(coned.closest_flank().clearance >= 0);
+        CHECK(coned.tip == scene.circular_spline.inner_radius);
+    }
 }
 
 TEST_CASE("the rules that the thesis breaks are named", "[design]")
