@@ -52,10 +52,11 @@ struct LineContact
     return half_width(c, q) > elastic_half_width(c, q);
 }
 
-/// Largest pressure, 2 q/(pi a) [MPa] with a by Hertz; not above the flow pressure.
+/// Largest pressure 2 q/(pi a) [MPa] of the ellipse (Hertz) over the strip. Where a body flows it is 4 p/pi, its value
+/// at the first flow: the pressure flattens from there towards its mean p, so that this is an upper bound.
 [[nodiscard]] inline double largest_pressure(LineContact const& c, double q)
 {
-    return q <= 0 ? 0 : std::min(2 * q / (std::numbers::pi * elastic_half_width(c, q)), c.flow_pressure);
+    return q <= 0 ? 0 : 2 * q / (std::numbers::pi * half_width(c, q));
 }
 
 /// Approach of the points `depth` below the surfaces [mm]: q/(pi E') (2 ln(2 d/a) - nu/(1 - nu)) of each body (Johnson,

@@ -120,7 +120,7 @@ TEST_CASE("what the ends of the face width carry does not depend on where slices
     CHECK(fine.edge_fraction == Approx(finest.edge_fraction).epsilon(0.02));
 }
 
-TEST_CASE("steel that flows lets more teeth carry, at no more than the flow pressure", "[load][pressure]")
+TEST_CASE("steel that flows lets more teeth carry, at no more than the flow pressure on average", "[load][pressure]")
 {
     std::string const clearance = "circular_spline.backlash_offset=0.09";
     LoadStudy const elastic = study({clearance}), soft = study({clearance, "flow.pressure=3000"}),
@@ -129,9 +129,20 @@ TEST_CASE("steel that flows lets more teeth carry, at no more than the flow pres
     // a pressure that is never reached leaves every bit
     CHECK(hard.cases.front().map.force == elastic.cases.front().map.force);
     CHECK(state(hard).flowing_fraction == 0);
-    CHECK(state(elastic).largest_pressure > 3000);
-    CHECK(state(soft).largest_pressure == 3000);
-    CHECK(state(softer).largest_pressure == 2000);
+    constexpr double peak = 4 / std::numbers::pi;  // of an ellipse, over its mean
+    CHECK(state(elastic).largest_pressure > peak * 3000);
+    CHECK(state(soft).largest_pressure == Approx(peak * 3000));
+    CHECK(state(softer).largest_pressure == Approx(peak * 2000));
+    // the error reaches down to the mean
+    CHECK(soft.cases.front().error.largest_pressure >= (peak - 1) * 3000);
+    // where the mean stays below, the largest pressure is that of elastic steel, above the flow pressure
+    double const below = 0.98 * state(elastic).largest_pressure;
+    LoadStudy const none = study({clearance, "flow.pressure=" + std::to_string(below)});
+    CHECK(state(none).flowing_fraction == 0);
+    CHECK(state(none).largest_pressure == state(elastic).largest_pressure);
+    CHECK(state(none).flank_pressure == state(elastic).flank_pressure);
+    CHECK((none.cases.front().map.pressure == elastic.cases.front().map.pressure));
+    CHECK((none.cases.front().map.force == elastic.cases.front().map.force));
     CHECK(state(soft).flowing_fraction > 0);
     CHECK(state(softer).flowing_fraction >= state(soft).flowing_fraction);
     CHECK(state(soft).twist > state(elastic).twist);

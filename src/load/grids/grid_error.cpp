@@ -132,6 +132,17 @@ LoadedState error_of(LoadedState const& a, std::vector<LoadedState> const& coars
     return d;
 }
 
+/// Under steel that flows the largest pressure is an upper bound, and the mean @p flow_pressure the lower one. All
+/// grids have the same: their difference does not tell.
+void reach_mean_of_flow(double flow_pressure, LoadedState const& state, LoadedState& error)
+{
+    constexpr double rounding = 1e-9;  // of a mean over the half millimetre at an end
+    double const bound = 4 / std::numbers::pi * flow_pressure;
+    for (double LoadedState::*const pressure : {&LoadedState::largest_pressure, &LoadedState::flank_pressure})
+        if (state.*pressure >= (1 - rounding) * bound)
+            error.*pressure = std::max(error.*pressure, bound - flow_pressure);
+}
+
 }  // namespace
 
 double grid_difference(double fine, std::span<double const> coarser)
@@ -212,6 +223,7 @@ std::vector<std::optional<LoadedState>> branch_errors(LoadProblem const& problem
             continue;
         errors[i] = error_of(branch.states[i], states, grid_safety(drive.slice_z.size()), scales);
         errors[i]->twist += branch.states[i].gap_mismatch / problem.context.geometry.r_m;
+        reach_mean_of_flow(drive.flow_pressure, branch.states[i], *errors[i]);
     }
     return errors;
 }
