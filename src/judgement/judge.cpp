@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <iterator>
 #include <utility>
 
 #include "checks.hpp"
@@ -31,6 +32,14 @@ Notes notes_on(Solution const& solution)
 {
     return all_of(
         {flank_contact(solution), land(solution), undercut(solution), sharp_corner(solution), narrow_space(solution)});
+}
+
+void judge_late_mesh_again(Notes& notes, Scene const& scene)
+{
+    auto const is_late_mesh = [](Note const& note) { return note.code == NoteCode::late_mesh; };
+    std::erase_if(notes, is_late_mesh);
+    std::ranges::copy_if(judge(scene), std::back_inserter(notes), is_late_mesh);
+    std::ranges::stable_sort(notes, {}, &Note::code);
 }
 
 }  // namespace hdconj::judgement

@@ -24,6 +24,9 @@ struct UnsolvedPair
 /// What the solved pair says beside that, in one plane.
 [[nodiscard]] Notes notes_on(Solution const& solution);
 
+/// Puts what judge() says of late mesh in @p scene in the place of what @p notes say of it.
+void judge_late_mesh_again(Notes& notes, Scene const& scene);
+
 /// @p error, which solving @p pair ended with, and first of all what is far from usual in the pair and can be written
 /// otherwise.
 [[nodiscard]] NumericalError with_likely_cause(NumericalError const& error, UnsolvedPair const& pair);

@@ -6,6 +6,7 @@
 
 #include "base/text.hpp"
 #include "hdconj/error.hpp"
+#include "judgement/judgement.hpp"
 #include "surface/build_slices.hpp"
 
 namespace hdconj::pipeline {
@@ -41,6 +42,18 @@ void write_with(Solution& out, contact::ContactStudyData& data, SurfaceSpec cons
     surface::write_outlines(out, builder.outline(spec, tip, sampling), data.tooth, z, spec.surface);
 }
 
+/// Judges where the tips leave the tip circle once more: the pair at z = 0 does not know the tilt of the case.
+void judge_tilted_tips(Solution& out, Scene const& asked, SurfaceSpec const& spec, double tip)
+{
+    if (spec.tilt == 0)
+        return;
+    Scene scene = contact::middle_scene(asked);
+    scene.circular_spline.inner_radius = tip;
+    scene.tilt = Tilt{spec.tilt, spec.kind, 0};
+    scene.slices = asked.slices;
+    judgement::judge_late_mesh_again(out.judgement, scene);
+}
+
 }  // namespace
 
 double write_part(Solution& out, contact::ContactStudyData& data, SurfaceSpec const& spec, double tip,
@@ -48,11 +61,13 @@ double write_part(Solution& out, contact::ContactStudyData& data, SurfaceSpec co
 {
     try {
         write_with(out, data, spec, tip, side_clearance);
+        judge_tilted_tips(out, data.scene, spec, tip);
         return side_clearance;
     } catch (NumericalError const& error) {
         if (side_clearance == 0)
             throw;
         write_with(out, data, spec, tip, 0);
+        judge_tilted_tips(out, data.scene, spec, tip);
         out.notes.push_back("the outline is written without side clearance, because with " +
                             short_number(side_clearance) + " mm it cannot be made: " + error.what());
         return 0;

@@ -15,6 +15,7 @@
 #include "hdconj/result_files.hpp"
 #include "hdconj/solve.hpp"
 #include "hdconj/units.hpp"
+#include "judgement/judgement.hpp"
 #include "scene/usual_drive.hpp"
 #include "support/catch.hpp"
 #include "support/read_hdf5.hpp"
@@ -238,6 +239,15 @@ TEST_CASE("a tilt that makes the tip circle of one end too small is a warning", 
         CHECK_THAT(note->cause, ContainsSubstring("the tilt makes the tip circle of one end 0.617 mm smaller"));
         CHECK_THAT(note->advice, ContainsSubstring("or tilt"));
     }
+    // a part whose tilt the notes of z = 0 do not know
+    Notes notes = judge(builtin_scene({"flexspline.cup.fatigue_strength=300"}));
+    REQUIRE_FALSE(note_of(notes, NoteCode::late_mesh));
+    std::size_t const others = notes.size();
+    judgement::judge_late_mesh_again(notes, tilted("10"));
+    CHECK(note_of(notes, NoteCode::late_mesh));
+    CHECK(notes.size() == others + 1);
+    judgement::judge_late_mesh_again(notes, tilted("0.2"));
+    CHECK(notes.size() == others);
     // one slice has no tilt
     CHECK_FALSE(note_of(judge(builtin_scene({"tilt.angle_deg=10"})), NoteCode::late_mesh));
 }
