@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <iostream>
 #include <optional>
 
 #include "arguments.hpp"
@@ -12,6 +15,7 @@
 #include "hdconj/result_files.hpp"
 #include "hdconj/scene/reading.hpp"
 #include "hdconj/solve.hpp"
+#include "hdconj/units.hpp"
 #include "hdconj/wire_files.hpp"
 #include "run_verb.hpp"
 
@@ -103,6 +107,29 @@ WireInput input_for(CommonOptions const& common, WireArguments const& own)
     return input;
 }
 
+/// What @p from found of the ring of the scene, which the wire cuts: that its teeth interfere; else empty.
+std::string found_interference(StoredOutline const& stored, Scene const& scene, std::string const& from)
+{
+    if (scene.wedm->part == WirePart::flexspline || scene.circular_spline.automatic_backlash)
+        return {};
+    ToothSurface const surface = scene.slices ? scene.slices->surface : ToothSurface::tilted;
+    double const tilt = scene.tilt ? scene.tilt->angle : 0;
+    auto const found = std::ranges::find_if(stored.cases, [&](StoredCase const& each) {
+        return each.interferes && each.surface == to_string(surface) && each.tilt == tilt;
+    });
+    if (found == stored.cases.end())
+        return {};
+    auto const up = [](double length) { return std::ceil(length * 1e6) / 1e6; };  // to the digits that are printed
+    bool const is_told = found->flank_clearance && *found->flank_clearance < 0;
+    return fmt::format(
+        "circular_spline.backlash_offset = {:g}: {} in {} found that teeth enter the flanks{}; write "
+        "circular_spline.backlash_offset = {:.6f} and circular_spline.inner_radius = {:.6f}",
+        scene.circular_spline.backlash_offset, stored.verb, from,
+        is_told ? fmt::format(" by {:.3g} um, most at z = {:.3f} mm", -*found->flank_clearance * per_um, found->flank_z)
+                : "",
+        up(found->side_clearance), up(found->tip_radius));
+}
+
 /// The set-ups of the part; of the outline that is given, where it is the circular spline's. A ring of the file
 /// @p from that is not cut is a warning.
 WireSetUps programs_of(WireInput const& input, std::string const& from, StageObserver const& on_stage)
@@ -121,6 +148,20 @@ WireSetUps programs_of(WireInput const& input, std::string const& from, StageObs
             "{} holds the ring of a case of {}; the wire cuts the ring of the stored scene, and that case has {}", from,
             stored.verb, told));
     return programs;
+}
+
+/// Says on standard error that the teeth of the ring interfere, where a result or the scene tells it, and enters what a
+/// result tells in the place of what the scene alone says.
+void tell_interference(WireInput const& input, std::string const& from, bool quiet, WireSetUps& programs)
+{
+    std::string const missing = missing_side_clearance(input.scene);
+    std::string const found = input.of_case ? found_interference(*input.of_case, input.scene, from) : std::string();
+    if (!found.empty()) {
+        std::erase(programs.front().warnings, missing);
+        programs.front().warnings.push_back(found);
+    }
+    if (std::string const& told = found.empty() ? missing : found; !told.empty() && !quiet)
+        std::cerr << "hdconj: warning: " << told << '\n';
 }
 
 void add_files(Work<WireCut>& work, WireArguments const& own, fs::path const& folder,
@@ -154,6 +195,8 @@ int run_wedm(CommonOptions const& common, WireArguments const& own)
     add_files(work, own, folder, dialects, input.cuts_flexspline() ? 2 : 1);
     work.compute = [&](ProgressLine const& progress) {
         WireCut cut{programs_of(input, own.from, progress.stages()), {}};
+        progress.clear();
+        tell_interference(input, own.from, common.quiet, cut.programs);
         settle_unfit_dialects(cut.programs, input.scene, dialects, input.outline ? &*input.outline : nullptr);
         return cut;
     };

@@ -50,6 +50,19 @@ enum class SummaryDetail
 /// The same figures as one JSON object, keys in docs/reference/json.md. Numbers are finite or null.
 [[nodiscard]] std::string summary_json(Solution const& solution, std::vector<WrittenFile> const& written = {});
 
+/// What contact or load found of the clearance of a case.
+struct StoredCase
+{
+    std::string surface;                    ///< word of ToothSurface
+    double tilt = 0;                        ///< [rad]
+    std::optional<double> flank_clearance;  ///< with the scene's side clearance, where that is stored; negative beyond
+                                            ///< its error: interference [mm]
+    double flank_z = 0;                     ///< where [mm]
+    bool interferes = false;                ///< more than the scene's side clearance is needed
+    double side_clearance = 0;              ///< with which it does not [mm]
+    double tip_radius = 0;                  ///< of the tip circle at z = 0 that goes with it [mm]
+};
+
 /// What later work needs of a result file.
 struct StoredOutline
 {
@@ -58,6 +71,7 @@ struct StoredOutline
     std::string verb;  ///< of a result with cases: contact, load or run. The outline is that of a case: side
                        ///< clearance, tip circle and tilt may differ from the scene's. Empty: solve
     std::optional<double> side_clearance;  ///< that the outline of a case includes, where the file says so [mm]
+    std::vector<StoredCase> cases;         ///< of contact or load
 };
 
 /// Reads what write_hdf5 wrote of the circular spline, of any verb that solves one.

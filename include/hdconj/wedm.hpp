@@ -232,6 +232,11 @@ using WireSetUps = std::vector<WireProgram>;
 [[nodiscard]] std::string other_ring(CircularSplineOutline const& ring, std::optional<double> side_clearance,
                                      Scene const& scene, WireProgram const& cut);
 
+/// What keeps the ring of @p scene from being clear of the teeth, with what to write: its teeth lean, or the cup cones
+/// and one outline is cut for all sections, and there is no side clearance. Only `contact` finds how deep they enter.
+/// Empty: nothing is known.
+[[nodiscard]] std::string missing_side_clearance(Scene const& scene);
+
 /// All set-ups of the part that [wedm] names: the circular spline has one.
 ///
 /// A wire around the flexspline would cut what holds it. The flexspline is therefore cut in two set-ups of half the

@@ -35,7 +35,10 @@ WireProgram spline_program(Scene const& scene, CircularSplineOutline const& outl
     auto const passes = wedm::pitch_passes(job);
     if (wedm::leaves_too_much(job, passes))
         throw InputError(wedm::residual_fault(job, passes, reached_faces(scene)));
-    return wedm::set_up_program(job, passes, {});
+    WireProgram program = wedm::set_up_program(job, passes, {});
+    if (std::string missing = missing_side_clearance(scene); !missing.empty())
+        program.warnings.push_back(std::move(missing));
+    return program;
 }
 
 WireSetUps flexspline_programs(Scene const& scene, StageObserver const& on_stage)

@@ -213,6 +213,19 @@ Faults check_wedm(Scene const& scene)
     return faults;
 }
 
+std::string missing_side_clearance(Scene const& scene)
+{
+    CircularSpline const& spline = scene.circular_spline;
+    bool const leans = wedm::tilt_of(scene) != 0, cones = scene.coning && !wedm::follows_cone(scene);
+    if (wedm::cuts_flexspline(scene) || spline.automatic_backlash || spline.backlash_offset > 0 || !(leans || cones))
+        return {};
+    return fmt::format(
+        "circular_spline.backlash_offset = 0: {}, so that teeth beside z = 0 enter the flanks; wedm does not compute "
+        "how deep: write circular_spline.backlash_offset = \"auto\" in a scene with [slices], or what `hdconj contact` "
+        "names",
+        leans ? "the teeth of the ring are tilted" : "the cup cones and one outline is cut for all sections");
+}
+
 Scene wire_scene(Scene const& scene)
 {
     Scene wanted = scene;

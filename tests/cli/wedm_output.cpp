@@ -55,6 +55,9 @@ std::vector<std::vector<std::string>> blocks_of(std::string const& text)
     return blocks;
 }
 
+/// Of a ring that is tilted, and has no side clearance.
+constexpr char const* no_clearance = "circular_spline.backlash_offset = 0: the teeth of the ring are tilted";
+
 json without_folder(json summary)
 {
     summary.erase("folder");
@@ -68,7 +71,7 @@ TEST_CASE("wedm names its folder after the drive and says so", "[wedm]")
     TemporaryFolder const folder;
     auto const done = wedm("--tilt 0.2", folder);
     CHECK(done.status == 0);
-    CHECK(done.err.empty());
+    CHECK(done.err.starts_with(std::string("hdconj: warning: ") + no_clearance));
     CHECK_THAT(done.out, ContainsSubstring("wire diameter                     0.1 mm") &&
                              ContainsSubstring("spark gap                       0.006 mm"));
     CHECK_THAT(done.out,
@@ -92,7 +95,7 @@ TEST_CASE("wedm: --json prints one object with the figures of the text and --qui
     auto const text = wedm("--tilt 0.2 -o a", folder);
     auto const summary = wedm("--tilt 0.2 -o a --json", folder);
     CHECK(summary.status == 0);
-    CHECK(summary.err == "wrote 7 files into a\n");
+    CHECK(summary.err.ends_with("wrote 7 files into a\n"));
     auto const figures = json::parse(summary.out);
     CHECK(figures.at("format") == "hdconj-wire-summary");
     CHECK(figures.at("folder") == "a");
@@ -170,10 +173,16 @@ TEST_CASE("wedm of a result with cases cuts the ring of its scene, and says what
     for (std::string const face : {"lower_face", "upper_face"})
         CHECK(from.at(face) == own.at(face));
     CHECK(content(folder / "a" / "type-50_path.csv") == content(folder / "b" / "type-50_path.csv"));
-    CHECK(own.at("warnings").empty());
-    REQUIRE(from.at("warnings").size() == 1);
+    REQUIRE(own.at("warnings").size() == 1);
+    CHECK_THAT(own.at("warnings")[0].get<std::string>(), ContainsSubstring(no_clearance));
+    REQUIRE(from.at("warnings").size() == 2);
     // contact raises both: the flanks would interfere, and the tip circle cuts in
     auto const warning = from.at("warnings")[0].get<std::string>();
+    CHECK_THAT(from.at("warnings")[1].get<std::string>(),
+               ContainsSubstring("contact in c.h5 found that teeth enter the flanks by 9.") &&
+                   ContainsSubstring(" um, most at z = ") &&
+                   ContainsSubstring("write circular_spline.backlash_offset = 0.009") &&
+                   ContainsSubstring("circular_spline.inner_radius = 25.033"));
     CHECK_THAT(warning, ContainsSubstring("c.h5 holds the ring of a case of contact") &&
                             ContainsSubstring("a side clearance of 0.009") &&
                             ContainsSubstring("in place of 0.000000 mm (+9.") &&
@@ -182,6 +191,40 @@ TEST_CASE("wedm of a result with cases cuts the ring of its scene, and says what
                             ContainsSubstring("um off the one that is cut") && !ContainsSubstring("a tilt of"));
     CHECK_THAT(content(folder / "b" / "type-50_summary.txt"), ContainsSubstring("WARNING: " + warning));
     CHECK_THAT(content(folder / "b" / "type-50_setup.txt"), ContainsSubstring("WARNING  c.h5 holds the ring"));
+}
+
+TEST_CASE("wedm warns of a cone without side clearance, by the study that knows it where there is one", "[wedm]")
+{
+    TemporaryFolder const folder;
+    std::string const coned = "--set coning.model=linear --set coning.bottom_to_middle=9 --set slices.count=5 ";
+    auto const alone = wedm(coned + "-o a", folder);
+    CHECK(alone.status == 0);
+    CHECK_THAT(alone.err, ContainsSubstring("hdconj: warning: circular_spline.backlash_offset = 0: the cup cones") &&
+                              ContainsSubstring("hdconj contact"));
+    CHECK_THAT(alone.out, ContainsSubstring("WARNING: circular_spline.backlash_offset = 0: the cup cones"));
+    CHECK(wedm(coned + "--set circular_spline.backlash_offset=0.07 --set circular_spline.inner_radius=25.15 "
+                       "--dialect csv -o b",
+               folder)
+              .err.empty());
+    CHECK(wedm(coned + "--part flexspline --dialect csv -o c", folder).err.empty());
+    // too little of it only a study finds
+    std::string const little = coned + "--set circular_spline.backlash_offset=0.02 ";
+    REQUIRE(hdconj::test::hdconj_run("contact --quiet --no-errors -o c.h5 " + little, folder.path()).status == 0);
+    CHECK(wedm(little + "--dialect csv -o d", folder).err.empty());
+    auto const from = wedm("--from c.h5 --dialect csv -o e", folder);
+    CHECK_THAT(from.err,
+               ContainsSubstring("hdconj: warning: circular_spline.backlash_offset = 0.02: contact in c.h5 found"));
+    // what it advises is enough
+    std::string const keys = from.err.substr(from.err.rfind("write ") + 6);
+    double const clearance = std::stod(keys.substr(keys.find("= ") + 2)),
+                 tip = std::stod(keys.substr(keys.rfind("= ") + 2));
+    auto const again =
+        hdconj::test::hdconj_run("contact --quiet --no-errors -o f.h5 " + coned +
+                                     "--set circular_spline.backlash_offset=" + std::to_string(clearance) +
+                                     " --set circular_spline.inner_radius=" + std::to_string(tip),
+                                 folder.path());
+    REQUIRE(again.status == 0);
+    CHECK(wedm("--from f.h5 --dialect csv -o g", folder).err.empty());
 }
 
 TEST_CASE("wedm --strict refuses a ring whose tilt takes the tip circle into the flexspline", "[wedm]")
@@ -282,7 +325,7 @@ TEST_CASE("wedm tells a pass that leaves more than the next one takes", "[wedm]"
     CHECK_THAT(rough.out, ContainsSubstring("WARNING: pass 1 leaves up to 0.0") &&
                               ContainsSubstring("more than the layer of 0.002 mm that pass 2 is to take"));
     auto const fine = wedm("--tilt 0.2 --set 'wedm.passes=[[0.02], [0]]' --dialect csv -o a", folder);
-    CHECK(fine.out.find("WARNING") == std::string::npos);
+    CHECK(fine.out.find("WARNING: pass") == std::string::npos);
 }
 
 TEST_CASE("wedm leaves out a dialect with a grid of its own that loses a block unless it was asked for by name",
@@ -297,7 +340,7 @@ TEST_CASE("wedm leaves out a dialect with a grid of its own that loses a block u
     REQUIRE(all.status == 0);
     CHECK(all.err.empty());
     auto const summary = json::parse(all.out);
-    REQUIRE(summary.at("warnings").size() == 1);
+    REQUIRE(summary.at("warnings").size() == 2);
     CHECK_THAT(summary.at("warnings")[0].get<std::string>(), ContainsSubstring("shorter than 20 units"));
     REQUIRE(summary.at("left_out").size() == 1);
     CHECK_THAT(summary.at("left_out")[0].get<std::string>(),
@@ -327,7 +370,7 @@ TEST_CASE("wedm leaves out the dialect whose grid is too coarse for the toleranc
     TemporaryFolder const folder;
     std::string const cause =
         "rounding to 3 decimals moves a point by up to 0.000707107 mm, more than the tolerance of 0.0005 mm";
-    auto const all = wedm("--tilt 0.2 -o a", folder);
+    auto const all = wedm("--tilt 0.2 --set circular_spline.backlash_offset=0.01 -o a", folder);
     CHECK(all.status == 0);
     CHECK_THAT(all.out, ContainsSubstring("left out: dialect 3b: grid of 0.001 mm: " + cause) &&
                             ContainsSubstring("--dialect 3b says which tolerance fits"));

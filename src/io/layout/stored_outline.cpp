@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 
 #include "results.hpp"
@@ -49,6 +50,40 @@ CircularSplineOutline outline_of(StoredGroup const& place)
     return result;
 }
 
+/// The cases of the group @p place of contact or load; none in a file of the first format.
+std::vector<StoredCase> cases_of(StoredGroup const& place)
+{
+    std::vector<StoredCase> cases;
+    if (!place.holds("side_clearance_increased"))
+        return cases;
+    auto const surface = place.list<std::string>("surface");
+    auto const increased = place.list<int>("side_clearance_increased");
+    auto const column = [&](char const* name) {
+        return place.holds(name) ? place.list<double>(name) : std::vector<double>();
+    };
+    auto const tilt = column("tilt"), offset = column("backlash_offset"), tip = column("tip_radius"),
+               least = column("least_side_clearance"), least_tip = column("least_tip_radius"),
+               flank = column("flank_clearance"), error = column("flank_clearance_error"), z = column("flank_z");
+    std::size_t const count = surface.size();
+    for (auto const* const each : {&tilt, &offset, &tip})
+        require(each->size() == count && increased.size() == count, "lists of cases differ in length");
+    bool const has_flank =
+        flank.size() == count && z.size() == count && least.size() == count && least_tip.size() == count;
+    constexpr double touches = 1e-6;  // of teeth that shall touch, without an error [mm]
+    for (std::size_t i = 0; i < count; ++i) {
+        StoredCase one{surface[i], tilt[i], {}, 0, increased[i] != 0, offset[i], tip[i]};
+        if (has_flank) {
+            one.flank_clearance = flank[i];
+            one.flank_z = z[i];
+            one.interferes = one.interferes || flank[i] < -std::max(touches, error.size() == count ? error[i] : 0);
+            one.side_clearance = std::max(offset[i], least[i]);
+            one.tip_radius = std::max(tip[i], least_tip[i]);
+        }
+        cases.push_back(std::move(one));
+    }
+    return cases;
+}
+
 }  // namespace
 
 StoredOutline stored_outline(StoredGroup const& result)
@@ -56,10 +91,12 @@ StoredOutline stored_outline(StoredGroup const& result)
     require(result.attribute<std::string>("format") == "hdconj", "it is of another program");
     require(result.attribute<int>("format_version") <= format_version, "it was written by a newer version");
     auto const spline = result.group("circular_spline");
-    StoredOutline stored{result.attribute<std::string>("scene"), outline_of(*spline), {}, {}};
+    StoredOutline stored{result.attribute<std::string>("scene"), outline_of(*spline), {}, {}, {}};
     for (auto const& [group, verb] : {std::pair("contact", "contact"), {"load", "load"}, {"running", "run"}})
         if (result.holds(group))
             stored.verb = verb;
+    if (stored.verb == "contact" || stored.verb == "load")
+        stored.cases = cases_of(*result.group(stored.verb));
     if (spline->has_attribute("side_clearance_mm"))
         stored.side_clearance = spline->attribute<double>("side_clearance_mm");
     return stored;

@@ -60,6 +60,20 @@ TEST_CASE("a stored outline of a case says so, and its side clearance", "[wire]"
     CHECK(of_contact.verb == "contact");
     CHECK(of_contact.side_clearance == 0.03);
     CHECK(of_load.verb == "load");
+    REQUIRE(of_contact.cases.size() == contact.cases.size());
+    REQUIRE(of_load.cases.size() == load.cases.size());
+    for (std::size_t i = 0; i < load.cases.size(); ++i) {
+        CHECK(of_load.cases[i].interferes == load.cases[i].side_clearance_increased);
+        CHECK(of_load.cases[i].side_clearance == load.cases[i].backlash_offset);
+        CHECK_FALSE(of_load.cases[i].flank_clearance);
+    }
+    for (std::size_t i = 0; i < contact.cases.size(); ++i) {
+        ContactCase const& each = contact.cases[i];
+        CHECK(of_contact.cases[i].tilt == each.tilt);
+        CHECK(of_contact.cases[i].flank_clearance == each.closest_flank().clearance);
+        CHECK(of_contact.cases[i].interferes ==
+              (each.side_clearance_increased || each.closest_flank().clearance < -each.clearance_error));
+    }
     CHECK(of_load.side_clearance == 0.0573);
 }
 
