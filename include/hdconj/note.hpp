@@ -22,7 +22,8 @@ enum class NoteCode
     sharp_corner,      ///< corner that no wire cuts
     narrow_space,      ///< tooth space that the wire does not enter
     wall_stress,       ///< bending stress of the ring
-    late_mesh          ///< where along the lobe a tooth leaves the circular spline's tip circle
+    late_mesh,         ///< where along the lobe a tooth leaves the circular spline's tip circle
+    backlash           ///< teeth that press on both flanks without torque
 };
 
 /// How grave a note is.
@@ -34,9 +35,9 @@ enum class Severity
 
 /// Words of NoteCode.
 template <>
-inline constexpr std::array<std::string_view, 10> words_of<NoteCode>{
-    "deformation", "tooth-difference", "flank-contact", "land",        "tip-land",
-    "undercut",    "sharp-corner",     "narrow-space",  "wall-stress", "late-mesh"};
+inline constexpr std::array<std::string_view, 11> words_of<NoteCode>{
+    "deformation",  "tooth-difference", "flank-contact", "land",      "tip-land", "undercut",
+    "sharp-corner", "narrow-space",     "wall-stress",   "late-mesh", "backlash"};
 /// Words of Severity.
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<Severity>{"information", "warning"};

@@ -2,6 +2,9 @@
 // Notes on a pair before it is solved and after, and the likely cause of a failure.
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "hdconj/error.hpp"
 #include "hdconj/profile/profile.hpp"
 #include "hdconj/solution.hpp"
@@ -23,6 +26,13 @@ struct UnsolvedPair
 
 /// What the solved pair says beside that, in one plane.
 [[nodiscard]] Notes notes_on(Solution const& solution);
+
+/// Teeth that press on both flanks.
+/// @param turn            between first contacts of both flanks [rad]
+/// @param side_clearance  that it goes with [mm]
+/// @param where           position of the wave generator, in words; may be empty
+[[nodiscard]] std::optional<Note> backlash(Scene const& scene, double turn, double side_clearance,
+                                           std::string const& where);
 
 /// Puts what judge() says of late mesh in @p scene in the place of what @p notes say of it.
 void judge_late_mesh_again(Notes& notes, Scene const& scene);

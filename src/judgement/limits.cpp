@@ -47,7 +47,9 @@ constexpr std::array limits{
                 at_most(usual_fatigue_strength / usual_safety), at_most(usual_fatigue_strength / accepted_safety),
                 "thin ring (Timoshenko); 30CrMnSiA endures 670 MPa, over a safety of 2 and 1.5"},
     DesignLimit{NoteCode::late_mesh, "n u/180 deg, u: where a tip leaves the tip circle", "1", at_most(0.9),
-                at_most(0.99), "1: the teeth never part, so that they cannot pass each other at the minor axis"}};
+                at_most(0.99), "1: the teeth never part, so that they cannot pass each other at the minor axis"},
+    DesignLimit{NoteCode::backlash, "turn between first contacts of both flanks", "arcmin", at_least(0), at_least(0),
+                "below 0 teeth press on both flanks without torque"}};
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "judgement/judgement.hpp"
 #include "load/model/ring_errors.hpp"
 #include "load/study/load_study.hpp"
 #include "load/study/loaded_scene.hpp"
@@ -23,6 +24,8 @@ void describe_drive(contact::ContactStudyData& data, load::ElasticDrive const& d
     study.side_clearance = pipeline::write_part(
         study.solution, data, {written.surface, written.kind.value_or(TiltKind::radial), written.tilt}, written.tip,
         written.backlash_offset);
+    if (auto const note = judgement::backlash(scene, written.backlash, written.backlash_offset, ""))
+        study.solution.judgement.push_back(*note);
     std::vector<StageTime> const times = data.clock.times();
     study.solution.timing.insert(study.solution.timing.end(), times.begin(), times.end());
     study.harmonics = drive.response->harmonics().back().n;

@@ -6,9 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.hpp"
 #include "contact/study/surface_choices.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/running.hpp"
+#include "judgement/judgement.hpp"
 #include "load/grids/grid_error.hpp"
 #include "load/model/ring_errors.hpp"
 #include "load/study/load_case.hpp"
@@ -93,6 +95,30 @@ class PositionProgress
     std::size_t all_, done_ = 0;
 };
 
+/// The least turn between first contacts of both flanks, and where it was found.
+struct LeastPlay
+{
+    double width = 0;    ///< not above 0 [rad]
+    double pitches = 0;  ///< that the wave generator has turned
+
+    /// @returns the turn to the first contact of the working side
+    double enter(load::Play const& play, double at)
+    {
+        if (double const here = load::width_of(play); here < width) {
+            width = here;
+            pitches = at;
+        }
+        return play.right;
+    }
+    void judge(Scene const& scene, RunStudy& study) const
+    {
+        if (auto const note = judgement::backlash(
+                scene, width, study.backlash_offset,
+                " when the wave generator has turned by " + short_number(pitches) + " tooth pitches"))
+            study.solution.judgement.push_back(*note);
+    }
+};
+
 /// Adds a sequence that has positions.
 void add(RunSequence sequence, RunStudy& study)
 {
@@ -107,8 +133,9 @@ void run_prescribed(contact::ContactStudyData& data, running::RunTask const& tas
     contact::ContactContext const& context = *data.context;
     contact::FlankSurface const surface = contact::flank_surface(context, spec);
     study.backlash_offset = surface.offset;
+    LeastPlay least;
     auto const turn_at = [&](double pitches) {
-        return running::first_contact(context, surface.grid, task.motion, pitches);
+        return least.enter(running::first_contact(context, surface.grid, task.motion, pitches), pitches);
     };
     double const angle = 2 * context.tolerance.length / context.geometry.r_m;
     for (auto const& [plan, under_torque] : planned_sequences(context.scene, task)) {
@@ -117,6 +144,7 @@ void run_prescribed(contact::ContactStudyData& data, running::RunTask const& tas
         add(std::move(sequence), study);
     }
     study.side_clearance = pipeline::write_part(study.solution, data, spec, surface.tip, surface.offset);
+    least.judge(context.scene, study);
 }
 
 /// The same drive on the grid asked for and, where there is one, on the coarse grid.
@@ -133,19 +161,21 @@ struct GridPair
 /// A sequence with its errors. That until both rings meet is too long for a second grid: it has those of the turn of
 /// the wave generator that was computed before it.
 void run_elastic_sequence(PlannedSequence const& planned, GridPair const& drives, running::RunTask const& task,
-                          SequenceObserver const& observer, RunStudy& study)
+                          SequenceObserver const& observer, LeastPlay& least, RunStudy& study)
 {
     SpanPlan const& plan = planned.plan;
     SequenceObserver const silent{observer.stop, observer.on_position, {}};
-    auto const sequence_of = [&](running::TurningDrive const& drive, SequenceObserver const& told) {
+    LeastPlay unused;
+    auto const sequence_of = [&](running::TurningDrive const& drive, SequenceObserver const& told, LeastPlay& found) {
         return planned.under_torque
                    ? running::balanced(plan, drive, task.motion, task.torque, told)
                    : running::first_contacts(
-                         plan, task.motion, [&](double pitches) { return drive.first_contact(pitches); }, told);
+                         plan, task.motion,
+                         [&](double pitches) { return found.enter(drive.first_contact(pitches), pitches); }, told);
     };
-    RunSequence sequence = sequence_of(drives.fine, observer);
+    RunSequence sequence = sequence_of(drives.fine, observer, least);
     if (drives.coarse != nullptr && plan.span != RunSpan::output_turn)
-        running::add_grid_error(sequence, sequence_of(*drives.coarse, silent), drives.safety_of_sequences());
+        running::add_grid_error(sequence, sequence_of(*drives.coarse, silent, unused), drives.safety_of_sequences());
     if (plan.span == RunSpan::output_turn)
         for (RunSequence const& each : study.sequences)
             if (each.span == RunSpan::input_turn && each.torque == 0)
@@ -177,9 +207,10 @@ void run_elastic(contact::ContactStudyData& data, running::RunTask const& task, 
         coarse_drive.emplace(context, coarse.front(), *coarse_flanks, task.motion, middle);
     }
     GridPair const drives{drive, coarse_drive ? &*coarse_drive : nullptr, load::grid_safety(flanks.slices())};
+    LeastPlay least;
     data.clock.run(Stage::run, [&] {
         for (PlannedSequence const& each : planned_sequences(context.scene, task))
-            run_elastic_sequence(each, drives, task, observer, study);
+            run_elastic_sequence(each, drives, task, observer, least, study);
         if (!context.scene.friction)
             return;
         auto const runs = running::loaded_runs(drive, task, observer);
@@ -193,6 +224,7 @@ void run_elastic(contact::ContactStudyData& data, running::RunTask const& task, 
     });
     study.side_clearance =
         pipeline::write_part(study.solution, data, spec, assembled.surface.tip, assembled.surface.offset);
+    least.judge(context.scene, study);
 }
 
 /// Positions of all sequences, on both grids.

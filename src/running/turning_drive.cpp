@@ -23,8 +23,8 @@ double ball_load_of(load::ElasticDrive const& drive, load::Equilibrium const& st
 
 }  // namespace
 
-double first_contact(contact::ContactContext const& context, contact::FlankGrid const& flanks,
-                     RunningMotion const& motion, double pitches)
+load::Play first_contact(contact::ContactContext const& context, contact::FlankGrid const& flanks,
+                         RunningMotion const& motion, double pitches)
 {
     auto const [whole, phase] = ring_place(motion, pitches);
     std::optional<contact::FlankDeviation> deviation = load::flank_deviation(context, flanks);
@@ -33,9 +33,13 @@ double first_contact(contact::ContactContext const& context, contact::FlankGrid 
     contact::ToothPoses const places = contact::tooth_places(context, phase, flanks.z);
     contact::GapField const field(context.tooth, flanks, places, motion.flexspline_teeth, motion.circular_spline_teeth,
                                   phase, deviation ? &*deviation : nullptr);
-    return contact::turn_to_contact(field, field.map(0, context.threads), GapMap::right,
-                                    2 * std::numbers::pi / motion.circular_spline_teeth, context.threads)
-        .turn;
+    GapMap const rest = field.map(0, context.threads);
+    auto const turn = [&](GapMap::Flank flank) {
+        double const pitch = 2 * std::numbers::pi / motion.circular_spline_teeth;
+        return contact::turn_to_contact(field, rest, flank, pitch, context.threads).turn;
+    };
+    double const right = turn(GapMap::right);
+    return {right, deviation ? turn(GapMap::left) : -right};
 }
 
 /// The drive at one position.
@@ -91,10 +95,10 @@ TurningDrive::TurningDrive(contact::ContactContext const& context, load::Assembl
 {
 }
 
-double TurningDrive::first_contact(double pitches) const
+load::Play TurningDrive::first_contact(double pitches) const
 {
     At const at(*this, pitches, false);
-    return load::play_about(at.problem, at.unloaded.shape, middle_).right;
+    return load::play_about(at.problem, at.unloaded.shape, middle_);
 }
 
 std::vector<Balance> TurningDrive::balances(double pitches, std::vector<double> const& torques,

@@ -8,17 +8,18 @@
 #include "contact/study/contact_case.hpp"
 #include "contact/study/contact_context.hpp"
 #include "load/grids/assembled_drive.hpp"
+#include "load/study/play.hpp"
 #include "running_motion.hpp"
 #include "sliding.hpp"
 
 namespace hdconj::running {
 
-/// Turn of the flexspline at which the flanks on the working side first touch, in the shape that the scene prescribes
-/// [rad].
+/// Turns of the flexspline at which the flanks of either side first touch, in the shape that the scene prescribes.
+/// Without errors of the rings the left side is not looked at: the side clearance is what the scene gives.
 /// @param pitches  that the wave generator has turned
 /// @throws NumericalError where nothing touches within a pitch
-[[nodiscard]] double first_contact(contact::ContactContext const& context, contact::FlankGrid const& flanks,
-                                   RunningMotion const& motion, double pitches);
+[[nodiscard]] load::Play first_contact(contact::ContactContext const& context, contact::FlankGrid const& flanks,
+                                       RunningMotion const& motion, double pitches);
 
 /// A drive in balance at one position.
 struct Balance
@@ -39,8 +40,8 @@ class TurningDrive
     TurningDrive(contact::ContactContext const& context, load::AssembledDrive const& drive,
                  contact::FlankGrid const& flanks, RunningMotion const& motion, double middle);
 
-    /// Turn of the flexspline at which the flanks on the working side first touch on the assembled cup [rad].
-    [[nodiscard]] double first_contact(double pitches) const;
+    /// Turns of the flexspline at which the flanks of either side first touch on the assembled cup.
+    [[nodiscard]] load::Play first_contact(double pitches) const;
 
     /// Balances at one position, torque by torque.
     /// @param torques    on the circular spline, above 0, in order of growing size [N mm]

@@ -52,6 +52,36 @@ TEST_CASE("load judges the part that it writes, not the scene's tip circle witho
     CHECK(result.at("load").at("cases").at(0).at("tip_radius_mm") > 25.1);  // the scene has 25.025
 }
 
+TEST_CASE("teeth that press on both flanks without torque are a warning with the side clearance to write",
+          "[judgement]")
+{
+    TemporaryFolder const folder;
+    auto const note_of = [&](std::string const& command) {
+        auto const done = hdconj_run(command + " --json --quiet -o a.h5", folder.path());
+        INFO(done.err);
+        REQUIRE(done.status == 0);
+        auto const result = nlohmann::json::parse(done.out);
+        for (auto const& note : result.at("judgement"))
+            if (note.at("code") == "backlash")
+                return note;
+        return nlohmann::json();
+    };
+    std::string const load = "load --no-curve --no-errors --set slices.count=3",
+                      run = "run --torque 0 --positions 8 --set errors.circular_spline.eccentricity=0.01";
+    CHECK(note_of(load).is_null());
+    for (auto const& [command, place] : {std::pair(load + " --set errors.flexspline.eccentricity=0.01", "flexspline"),
+                                         std::pair(run, "circular_spline")}) {
+        auto const note = note_of(command);
+        REQUIRE(note.is_object());
+        CHECK(note.at("severity") == "warning");
+        CHECK(note.at("figure") < 0);
+        CHECK(note.at("place") == std::string("errors.") + place + ".eccentricity");
+        CHECK_THAT(note.at("cause").get<std::string>(), ContainsSubstring("teeth press on both flanks"));
+        CHECK(note_of(command + " --set " + note.at("set").at(0).get<std::string>()).is_null());
+    }
+    CHECK(hdconj_run(run + " --strict --quiet -o a.h5", folder.path()).status == 1);
+}
+
 TEST_CASE("HDF5 has a row for each note", "[judgement]")
 {
     TemporaryFolder const folder;

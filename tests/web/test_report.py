@@ -506,7 +506,7 @@ class Reports(unittest.TestCase):
             see(page, "rules")
             rows = {row.locator("th").inner_text().split()[0]: row.inner_text()
                     for row in page.locator("#rules tbody tr").all()}
-        self.assertEqual(len(rows), 10)
+        self.assertEqual(len(rows), 11)
         for note in notes:
             self.assertIn(note["cause"], rows[note["code"]])
         codes = {note["code"] for note in notes}
