@@ -124,20 +124,27 @@ def distance(points, line):
     return np.sqrt(((points[:, None] - a - share[..., None] * along) ** 2).sum(axis=2).min(axis=1)).max()
 
 
-def gaps(file, points, space):
-    """Gap of the map at points of one space in its own frame; NaN off the flanks. Stations are of the middle slice."""
-    spline, contact = file["circular_spline"], file["contact/map"]
-    z, outline, marks = spline["z"][()], spline["outline"][()], spline["landmarks"][()]
-    found = np.full(len(points), np.nan)
-    for i, (x, y, height) in enumerate(points):
-        k = int(np.abs(z - height).argmin())
-        j = int(((outline[k] - [x, y]) ** 2).sum(axis=1).argmin())
-        length = np.r_[0, np.cumsum(np.hypot(*np.diff(outline[len(z) // 2], axis=0).T))]
-        for flank, (land, end) in enumerate(((marks[0], marks[1]), (marks[4], marks[3]))):
-            if min(land, end) <= j <= max(land, end):
-                station = (length[j] - length[land]) / (length[end] - length[land])
-                found[i] = np.interp(station, contact["flank_position"][()], contact["gap"][space, flank, k])
-    return found
+class Gaps:
+    """Gaps of the map at points of one space in its own frame. Stations are of the middle slice."""
+
+    def __init__(self, file):
+        spline, contact = file["circular_spline"], file["contact/map"]
+        self.z, self.outline, self.marks = (spline[name][()] for name in ("z", "outline", "landmarks"))
+        self.position, self.gap = contact["flank_position"][()], contact["gap"][()]
+        middle = self.outline[len(self.z) // 2]
+        self.length = np.r_[0, np.cumsum(np.hypot(*np.diff(middle, axis=0).T))]
+
+    def at(self, points, space):
+        """NaN off the flanks."""
+        slices = np.abs(self.z - points[:, 2:]).argmin(axis=1)
+        found = np.full(len(points), np.nan)
+        for i, k in enumerate(slices):
+            j = int(((self.outline[k] - points[i, :2]) ** 2).sum(axis=1).argmin())
+            for flank, (land, end) in enumerate(((self.marks[0], self.marks[1]), (self.marks[4], self.marks[3]))):
+                if min(land, end) <= j <= max(land, end):
+                    station = (self.length[j] - self.length[land]) / (self.length[end] - self.length[land])
+                    found[i] = np.interp(station, self.position, self.gap[space, flank, k])
+        return found
 
 
 def fullest_spaces(file):
@@ -217,13 +224,14 @@ def main(result, tooth, ring):
             check_meshio(ring + ".xdmf", all_points, all_quads, part=all_part)
 
         found = vtk(tooth + ".vtk")
-        every = [gaps(file, found["points"], space) for space in fullest_spaces(file)]
+        gaps = Gaps(file)
+        every = [gaps.at(found["points"], space) for space in fullest_spaces(file)]
         want(
             any(np.allclose(found["gap"], each, rtol=0, atol=1e-12, equal_nan=True) for each in every),
             "gaps of the tooth are not those of the space with the largest contact",
         )
         want(0 < np.isfinite(found["gap"]).sum() < len(found["gap"]), "no gaps, or gaps off the flanks")
-        check_ring_gaps(file, vtk(ring + ".vtk"), columns, teeth)
+        check_ring_gaps(file, gaps, vtk(ring + ".vtk"), columns, teeth)
     with_meshio = "meshio" if meshio else "no meshio"
     return verdict(len(quads), f"{len(quads)} and {len(all_quads)} quads, {with_meshio}")
 
@@ -237,7 +245,7 @@ def check_stl_corners(name, corners, points):
     )
 
 
-def check_ring_gaps(file, found, columns, teeth):
+def check_ring_gaps(file, gaps, found, columns, teeth):
     """Some spaces of the ring: their gaps are those that the map has where they stand."""
     wave_generator = file["contact/wave_generator"][file["contact"].attrs["written_case"]]
     angles = file["contact/map/angle"][()]
@@ -249,7 +257,7 @@ def check_ring_gaps(file, found, columns, teeth):
         x, y, z = found["points"][rows].T
         where = np.angle(np.exp(1j * (turned - wave_generator)))
         number = int(np.abs(np.angle(np.exp(1j * (angles - where)))).argmin())
-        wanted = gaps(file, np.c_[x * c - y * s, x * s + y * c, z], number)
+        wanted = gaps.at(np.c_[x * c - y * s, x * s + y * c, z], number)
         want(
             np.allclose(found["gap"][rows], wanted, rtol=0, atol=1e-9, equal_nan=True), f"gaps of space {space} differ"
         )
