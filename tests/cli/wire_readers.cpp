@@ -130,7 +130,7 @@ TEST_CASE("a control makes the wire's path again of every contour with G41 or G4
              {"--part flexspline --set wedm.overlap=0.05",
               {"type-50-flexspline_setup1", "type-50-flexspline_setup2"}}}) {
         TemporaryFolder const folder;
-        REQUIRE(run("'" HDCONJ_PROGRAM "' wedm --quiet --dialect csv,dxf,xyuv-guide,xyuv-face,relative-uv,two-plane,"
+        REQUIRE(run("'" HDCONJ_PROGRAM "' wedm --quiet --dialect csv,xyuv-guide,xyuv-face,relative-uv,two-plane,"
                     "iso-2d -o out " +
                         arguments,
                     folder.path())

@@ -6,7 +6,8 @@ written here, rebuilds both faces from each, and sweeps the emitted wire with sh
 
   read_wire.py FOLDER STEM THICKNESS LOWER_GUIDE UPPER_GUIDE DECIMALS CHORD TOLERANCE
 
-CHORD [mm]: what the sampled contour and wire may be off between their points; 0: the wire is not swept.
+CHORD [mm]: what the sampled contour and wire may be off between their points; 0: the wire is not swept and the drawing
+is not read.
 TOLERANCE [mm]: how far the path that a control makes of a contour with G41 or G42 may be off the wire's.
 Prints what is wrong, and what was read.
 """
@@ -180,16 +181,21 @@ def stops_of(name):
 
 
 def distance_to(points, line, closed=True):
-    """Of each point from the line, whose points are far closer together than it is long."""
+    """Of each point from the line where that is below 0.1 mm, else more than that. Neighbours in the list of points are
+    near each other."""
     ends = np.roll(line, -1, axis=0) if closed else line[1:]
     starts = line if closed else line[:-1]
+    least, most = np.minimum(starts, ends), np.maximum(starts, ends)
     nearest = np.full(len(points), np.inf)
-    for block in np.array_split(np.arange(len(points)), max(1, len(points) // 200)):
-        p = points[block][:, None, :]
-        close = np.flatnonzero(((starts > p.min((0, 1)) - 1) & (starts < p.max((0, 1)) + 1)).all(axis=1))
+    for block in np.array_split(np.arange(len(points)), max(1, len(points) // 50)):
+        p = points[block]
+        close = np.flatnonzero(((most > p.min(0) - 0.1) & (least < p.max(0) + 0.1)).all(axis=1))
+        if not len(close):
+            continue
         a, along = starts[close], (ends - starts)[close]
-        share = np.clip(((p - a) * along).sum(-1) / np.maximum((along**2).sum(-1), 1e-300), 0, 1)
-        nearest[block] = np.linalg.norm(p - a - share[..., None] * along, axis=-1).min(axis=1)
+        beside = p[:, None, :] - a
+        share = np.clip((beside * along).sum(-1) / np.maximum((along**2).sum(-1), 1e-300), 0, 1)
+        nearest[block] = np.linalg.norm(beside - share[..., None] * along, axis=-1).min(axis=1)
     return nearest
 
 
@@ -404,14 +410,14 @@ for number in range(1, passes + 1):
 if Polygon is None:
     print("shapely is not installed: nothing was swept")
 
-readers = {"groups": dxf_by_groups}
+readers = {"groups": dxf_by_groups} if CHORD > 0 else {}
 if ezdxf is None:
     print("ezdxf is not installed: not tried")
-else:
+elif readers:
     readers["ezdxf"] = dxf_by_ezdxf
 if ogr is None:
     print("GDAL is not installed: not tried")
-else:
+elif readers:
     ogr.UseExceptions()
     readers["GDAL"] = dxf_by_gdal
 for reader, read in readers.items():
