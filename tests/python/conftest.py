@@ -80,3 +80,11 @@ def coned():
 @pytest.fixture(scope="session")
 def solution():
     return hdconj.solve()
+
+
+@pytest.fixture(scope="session")
+def scheduler():
+    """Address of a scheduler with two workers, for studies that are not about workers: each takes a second to begin."""
+    engine = pytest.importorskip("hdconj.study._engine").engine
+    with engine(2) as client:
+        yield client.scheduler.address

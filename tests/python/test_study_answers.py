@@ -25,9 +25,15 @@ verb = "solve"
 """
 
 
-def run(text, folder, **options):
-    study.run(study.read_recipe(HEAD + text), folder, jobs=2, progress=False, **options)
-    return study.open(folder)
+@pytest.fixture(scope="module")
+def run(scheduler):
+    """Runs a study and opens it."""
+
+    def run(text, folder):
+        study.run(study.read_recipe(HEAD + text), folder, scheduler=scheduler, progress=False)
+        return study.open(folder)
+
+    return run
 
 
 def sample(method, count, seed=1):
@@ -65,7 +71,7 @@ def test_classes_of_tolerance_are_those_of_iso_286(grade, low, high):
     assert key.value(0.8413) - key.value(0.5) == pytest.approx((high - low) / 6, rel=0.01)
 
 
-def test_a_grid_and_its_xarray(tmp_path):
+def test_a_grid_and_its_xarray(run, tmp_path):
     found = run(
         '[vary]\n"flexspline.wall" = { from = 0.6, to = 0.8, count = 3 }\n'
         '"solver.kinematics" = { list = ["exact", "first-order"] }\n"drive.flexspline_teeth" = { list = [198, 200] }\n'
@@ -98,7 +104,7 @@ r = "max"
 
 
 @pytest.mark.parametrize("values", ['0.7, "tangent"', '"tangent", 0.7'])
-def test_a_list_of_numbers_and_words(tmp_path, values):
+def test_a_list_of_numbers_and_words(run, tmp_path, values):
     """Its column is text whatever the order; scenes have the number again, and pictures leave it out."""
     found = run(MIXED.replace("FIRST", values), tmp_path)
     assert sorted(found.frame["flexspline.profile.concave_offset"]) == ["0.7", "0.7", "tangent", "tangent"]
@@ -111,12 +117,12 @@ def test_a_list_of_numbers_and_words(tmp_path, values):
     assert [file.name for file in draw_all(found)] == ["keys.png", "parallel.png", "tooth.png"]
 
 
-def test_a_study_of_words_has_pictures(tmp_path):
+def test_a_study_of_words_has_pictures(run, tmp_path):
     text = MIXED.replace("[FIRST]", '["tangent"]').replace("n = { list = [1, 2.5] }", "").replace('n2 = "n * n"', "")
     assert [file.name for file in draw_all(run(text, tmp_path))] == ["tooth.png"]
 
 
-def test_fewer_drives_than_before(tmp_path):
+def test_fewer_drives_than_before(run, tmp_path):
     """The study is what it is now: rows of more drives stay, and do not count."""
     text = '[vary]\na = { from = 0, to = 1 }\n[figures]\nb = "a"\n[objectives]\nb = "max"\n[sample]\ncount = '
     all_rows = run(text + "20", tmp_path).frame
@@ -127,14 +133,14 @@ def test_fewer_drives_than_before(tmp_path):
     assert run(text + "20", tmp_path).frame.equals(all_rows)
 
 
-def test_figures_use_keys_that_do_not_vary(tmp_path):
+def test_figures_use_keys_that_do_not_vary(run, tmp_path):
     text = '[vary]\n"flexspline.wall" = { list = [0.6, 0.7] }\n[figures]\nland = "solve.land_width / drive.module"\n'
     found = run(text, tmp_path)
     whole = hdconj.solve(hdconj.Scene().with_({"flexspline.wall": 0.6, "solver.tolerance": 1e-3}))
     assert found.frame["land"][0] == whole.figures["land_width"].value / 0.25
 
 
-def test_the_best_are_different_drives(tmp_path):
+def test_the_best_are_different_drives(run, tmp_path):
     """A list has few values, so that samples repeat them."""
     text = "[vary]\na = { list = [1, 2, 3] }\n[sample]\ncount = 20\n[figures]\nb = 'a'\nc = '-a'\n[objectives]\n"
     for number, aims in enumerate((text + "b = 'min'\n", text + "b = 'min'\nc = 'min'\n")):
@@ -142,7 +148,7 @@ def test_the_best_are_different_drives(tmp_path):
 
 
 @pytest.mark.parametrize("method, is_sample", [("random", True), ("grid", False)])
-def test_a_share_has_an_interval_where_drives_are_a_sample(tmp_path, capsys, method, is_sample):
+def test_a_share_has_an_interval_where_drives_are_a_sample(run, tmp_path, capsys, method, is_sample):
     text = '[vary]\na = { list = [1, 2] }\n[figures]\nb = "a"\n[constraints]\nb = { max = 1 }\n[sample]\nmethod = "X"'
     print_status(run(text.replace('"X"', f'"{method}"'), tmp_path))
     told = capsys.readouterr().out
@@ -161,7 +167,7 @@ def test_expressions():
         Expression("9.0 ** 9 ** 9")({})
 
 
-def test_yield_and_pictures(tmp_path):
+def test_yield_and_pictures(run, tmp_path):
     found = run(
         '[vary]\n"flexspline.wall" = { normal = [0.7, 0.01] }\n[sample]\ncount = 256\n[figures]\n'
         'wall = "flexspline.wall"\nland = "solve.land_width"\n[constraints]\nwall = { min = 0.69, max = 0.71 }',
@@ -172,7 +178,7 @@ def test_yield_and_pictures(tmp_path):
     assert [file.name for file in draw_all(found)] == ["keys.png", "histograms.png"]
 
 
-def test_indices_of_a_sum(tmp_path):
+def test_indices_of_a_sum(run, tmp_path):
     """Var(3 a + b) is nine parts of a and one of b."""
     found = run(
         '[vary]\na = { uniform = [0, 1] }\nb = { uniform = [0, 1] }\n[sample]\nmethod = "saltelli"\ncount = 128\n'
@@ -242,24 +248,31 @@ f = "min"
 SEARCH = '[optimise]\nmethod = "{}"\npopulation = 10\ngenerations = {}\nseed = 3\n'
 
 
-def search(text, method, generations, folder):
-    study.optimise(study.read_recipe(HEAD + text + SEARCH.format(method, generations)), folder, jobs=2, progress=False)
-    return study.open(folder)
+@pytest.fixture(scope="module")
+def search(scheduler):
+    """Searches for the best drives and opens what was found."""
+
+    def search(text, method, generations, folder):
+        sought = study.read_recipe(text + SEARCH.format(method, generations))
+        study.optimise(sought, folder, scheduler=scheduler, progress=False)
+        return study.open(folder)
+
+    return search
 
 
 @pytest.mark.parametrize("method", ["nsga2", "cmaes"])
-def test_a_search_goes_on_where_it_was(tmp_path, method):
-    whole = search(TWO, method, 6, tmp_path / "whole").frame
+def test_a_search_goes_on_where_it_was(search, tmp_path, method):
+    whole = search(HEAD + TWO, method, 6, tmp_path / "whole").frame
     assert len(whole) == 6 * 10
-    search(TWO, method, 2, tmp_path / "parts")
-    again = search(TWO, method, 6, tmp_path / "parts").frame
+    search(HEAD + TWO, method, 2, tmp_path / "parts")
+    again = search(HEAD + TWO, method, 6, tmp_path / "parts").frame
     assert whole.equals(again)
     assert whole["f"].min() < 0.01
 
 
-def test_pareto_set(tmp_path):
+def test_pareto_set(search, tmp_path):
     """Points between (0.3, 0.6) and (0.7, 0.6) are beaten by none."""
-    found = search(TWO + 'g = "min"\n', "nsga2", 8, tmp_path)
+    found = search(HEAD + TWO + 'g = "min"\n', "nsga2", 8, tmp_path)
     best = found.best(20)
     assert (abs(best["y"] - 0.6) < 0.2).all() and best["x"].between(0.2, 0.8).all()
     assert len(list((tmp_path / "pareto").glob("*.toml"))) == len(found.best(200))
@@ -281,15 +294,21 @@ zones = "max"
 """
 
 
-@pytest.mark.parametrize("method", ["nsga2", "cmaes"])
-def test_search_against_brute_force(tmp_path, method):
-    """On a slice of type-50 a search finds what the grid finds, or better."""
+@pytest.fixture(scope="module")
+def gridded(run, tmp_path_factory):
+    """The best of a grid on a slice of type-50, and what the grid does not see."""
     points = 41 if os.environ.get("HDCONJ_FULL") else 13
-    grid = run(SLICE.replace("COUNT", f"count = {points}") + '[sample]\nmethod = "grid"\n', tmp_path / "grid")
-    found = search(SLICE.replace(", COUNT", ""), method, 12, tmp_path / "search")
-    best, other = grid.best(1).iloc[0], found.best(1).iloc[0]
+    text = SLICE.replace("COUNT", f"count = {points}") + '[sample]\nmethod = "grid"\n'
+    grid = run(text, tmp_path_factory.mktemp("grid"))
     values = grid.frame.pivot(index=grid.recipe.keys[0].path, columns=grid.recipe.keys[1].path, values="zones")
-    step = np.nanmax(np.abs(np.diff(np.asarray(values), axis=1)))  # what the grid does not see
+    return grid.best(1).iloc[0], np.nanmax(np.abs(np.diff(np.asarray(values), axis=1)))
+
+
+@pytest.mark.parametrize("method", ["nsga2", "cmaes"])
+def test_search_against_brute_force(search, gridded, tmp_path, method):
+    """On a slice of type-50 a search finds what the grid finds, or better."""
+    other = search(HEAD + SLICE.replace(", COUNT", ""), method, 12, tmp_path).best(1).iloc[0]
+    best, step = gridded
     assert other["zones"] >= best["zones"] - min(step, 0.02 * best["zones"])
     assert other["land"] >= 0.15
 
@@ -314,17 +333,22 @@ clearance = "min"
 """
 
 
-@pytest.mark.parametrize("method", ["nsga2", "cmaes"])
-def test_search_of_contacts_against_brute_force(tmp_path, method):
-    """On a slice of type-50 a search of 200 drives finds the grid's least side clearance within its error, or less."""
+@pytest.fixture(scope="module")
+def gridded_contacts(scheduler, tmp_path_factory):
+    """Contacts of a slice of type-50, and the grid over it."""
     text = CONTACT.replace("SCENE", os.path.join(os.environ["HDCONJ_SOURCE"], "data/scenes/type-50-coned.toml"))
     points = 41 if os.environ.get("HDCONJ_FULL") else 13
-    gridded = text.replace("COUNT", f"count = {points}") + '[sample]\nmethod = "grid"\n'
-    study.run(study.read_recipe(gridded), tmp_path / "grid", jobs=2, progress=False)
-    searched = text.replace(", COUNT", "") + SEARCH.format(method, 20)
-    study.optimise(study.read_recipe(searched), tmp_path / "search", jobs=2, progress=False)
-    grid, found = study.open(tmp_path / "grid"), study.open(tmp_path / "search")
-    best, other = grid.best(1).iloc[0], found.best(1).iloc[0]
+    of_grid = text.replace("COUNT", f"count = {points}") + '[sample]\nmethod = "grid"\n'
+    folder = tmp_path_factory.mktemp("contacts")
+    study.run(study.read_recipe(of_grid), folder, scheduler=scheduler, progress=False)
+    return text.replace(", COUNT", ""), study.open(folder)
+
+
+@pytest.mark.parametrize("method", ["nsga2", "cmaes"])
+def test_search_of_contacts_against_brute_force(search, gridded_contacts, tmp_path, method):
+    """On a slice of type-50 a search of 200 drives finds the grid's least side clearance within its error, or less."""
+    text, grid = gridded_contacts
+    best, other = grid.best(1).iloc[0], search(text, method, 20, tmp_path).best(1).iloc[0]
     assert best["clearance"] < grid.frame["clearance"].median() - 1
     assert best["clearance_error"] < 0.1 and other["clearance_error"] < 0.1
     assert other["clearance"] <= best["clearance"] + best["clearance_error"] + other["clearance_error"]
