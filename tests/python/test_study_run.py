@@ -121,10 +121,10 @@ def test_same_rows_through_a_scheduler(expected, tmp_path):
     assert bits(tmp_path / "study") == expected
 
 
-def test_more_drives_go_on_where_fewer_ended(expected, tmp_path):
-    study.run(recipe(40), tmp_path, jobs=1, progress=False)
+def test_more_drives_go_on_where_fewer_ended(expected, scheduler, tmp_path):
+    study.run(recipe(40), tmp_path, scheduler=scheduler, progress=False)
     before = {file: file.stat().st_mtime_ns for file in (tmp_path / "rows").iterdir()}
-    told = study.run(recipe(90), tmp_path, jobs=1, progress=False)
+    told = study.run(recipe(90), tmp_path, scheduler=scheduler, progress=False)
     assert told.done == 50
     assert bits(tmp_path) == expected
     assert all(file.stat().st_mtime_ns == when for file, when in before.items())
@@ -155,10 +155,10 @@ def dask_workers(of):
 
 
 @pytest.fixture(scope="module")
-def longer(tmp_path_factory):
+def longer(scheduler, tmp_path_factory):
     """A study that lasts some seconds, and its rows."""
     folder = tmp_path_factory.mktemp("longer")
-    study.run(recipe(400), folder, jobs=2, progress=False)
+    study.run(recipe(400), folder, scheduler=scheduler, progress=False)
     return bits(folder)
 
 
@@ -184,19 +184,19 @@ def test_a_killed_worker_loses_nothing(longer, tmp_path, number):
 
 
 @pytest.mark.parametrize("number", range(KILLS))
-def test_a_killed_driver_is_resumed(longer, tmp_path, number):
+def test_a_killed_driver_is_resumed(longer, scheduler, tmp_path, number):
     file, folder = write(tmp_path, 400), tmp_path / "study"
     process = start("run", file, "-o", folder, "--jobs", 2, "--shard-seconds", 2, "--quiet")
     until(lambda: list(folder.glob("rows/*.parquet")) or process.poll() is not None)
     time.sleep(random.Random(number).uniform(0, 0.5))
     process.kill()
     process.communicate()
-    assert subprocess.run(command("run", file, "-o", folder, "--jobs", 2, "--quiet"), timeout=120).returncode == 0
+    study.run(file, folder, scheduler=scheduler, progress=False)
     assert bits(folder) == longer
 
 
 @pytest.mark.parametrize("number", range(KILLS))
-def test_a_killed_scheduler_is_told_and_resumed(longer, tmp_path, number):
+def test_a_killed_scheduler_is_told_and_resumed(longer, scheduler, tmp_path, number):
     file, folder = write(tmp_path, 400), tmp_path / "study"
     with cluster(1, tmp_path) as (address, processes):
         process = start("run", file, "-o", folder, "--scheduler", address, "--shard-seconds", 2, "--quiet")
@@ -205,12 +205,12 @@ def test_a_killed_scheduler_is_told_and_resumed(longer, tmp_path, number):
         processes[0].kill()
         _, said = process.communicate(timeout=120)
     assert process.returncode == 1 and "run again to resume" in said, said
-    study.run(file, folder, jobs=2, progress=False)
+    study.run(file, folder, scheduler=scheduler, progress=False)
     assert bits(folder) == longer
 
 
 @pytest.mark.parametrize("twice", [False, True])
-def test_an_interrupt_of_a_terminal_stops_quietly(longer, tmp_path, twice):
+def test_an_interrupt_of_a_terminal_stops_quietly(longer, scheduler, tmp_path, twice):
     """Ctrl-C reaches the whole group: workers leave it to the run that they belong to."""
     file, folder = write(tmp_path, 400), tmp_path / "study"
     process = subprocess.Popen(command("run", file, "-o", folder, "--jobs", "2", "--shard-seconds", "2"),
@@ -227,7 +227,7 @@ def test_an_interrupt_of_a_terminal_stops_quietly(longer, tmp_path, twice):
     # One that comes while Python itself ends is Python's.
     assert process.returncode == 1 or (twice and process.returncode == -signal.SIGINT)
     assert not twice or time.monotonic() - begin < 3
-    study.run(file, folder, jobs=2, progress=False)
+    study.run(file, folder, scheduler=scheduler, progress=False)
     assert bits(folder) == longer
 
 
@@ -253,8 +253,8 @@ def test_a_drive_that_kills_its_worker_is_found(expected, tmp_path, monkeypatch)
 
 
 @pytest.mark.parametrize("harm", ["truncate", "turn", "rename"])
-def test_a_broken_shard_is_made_again(expected, tmp_path, harm):
-    study.run(recipe(90), tmp_path, jobs=1, shard_seconds=2, progress=False)
+def test_a_broken_shard_is_made_again(expected, scheduler, tmp_path, harm):
+    study.run(recipe(90), tmp_path, scheduler=scheduler, shard_seconds=2, progress=False)
     shard = sorted((tmp_path / "rows").iterdir())[-1]
     content = shard.read_bytes()
     if harm == "truncate":
@@ -264,7 +264,7 @@ def test_a_broken_shard_is_made_again(expected, tmp_path, harm):
         shard.write_bytes(content[:middle] + bytes([content[middle] ^ 1]) + content[middle + 1 :])
     else:
         shard.rename(shard.with_name("rows-000000000-000000999.parquet"))
-    told = study.run(recipe(90), tmp_path, jobs=1, progress=False)
+    told = study.run(recipe(90), tmp_path, scheduler=scheduler, progress=False)
     assert told.done > 0 and bits(tmp_path) == expected
 
 
@@ -279,8 +279,8 @@ def test_two_runs_in_one_folder(tmp_path):
     assert not folder.is_running()
 
 
-def test_another_study_in_the_folder_is_refused(tmp_path):
-    study.run(recipe(5), tmp_path, jobs=1, progress=False)
+def test_another_study_in_the_folder_is_refused(scheduler, tmp_path):
+    study.run(recipe(5), tmp_path, scheduler=scheduler, progress=False)
     with pytest.raises(hdconj.InputError, match="holds rows of another study"):
         study.run(study.read_recipe(TEXT.replace("COUNT", "5").replace("seed = 5", "seed = 6")), tmp_path, jobs=1)
     with pytest.raises(hdconj.InputError, match="is no folder of a study"):
@@ -304,10 +304,10 @@ method = "grid"
         ("a = { list = [1, 2] }\nb = { list = [3, 4, 5] }", 'g = "a - b"\nf = "a + b"'),
     ],
 )
-def test_another_order_of_keys_or_figures_is_another_study(tmp_path, keys, figures):
+def test_another_order_of_keys_or_figures_is_another_study(scheduler, tmp_path, keys, figures):
     """Sample i is another drive where the keys stand in another order: rows of both would not make one grid."""
     first = ORDER.format("a = { list = [1, 2] }\nb = { list = [3, 4, 5] }", 'f = "a + b"\ng = "a - b"')
-    study.run(study.read_recipe(first), tmp_path, jobs=1, progress=False)
+    study.run(study.read_recipe(first), tmp_path, scheduler=scheduler, progress=False)
     before = bits(tmp_path)
     with pytest.raises(hdconj.InputError, match="holds rows of another study"):
         study.run(study.read_recipe(ORDER.format(keys, figures)), tmp_path, jobs=1, progress=False)
@@ -315,7 +315,7 @@ def test_another_order_of_keys_or_figures_is_another_study(tmp_path, keys, figur
 
 
 @pytest.mark.parametrize("room", [0, 7000])
-def test_a_full_disk_is_told_and_resumed(expected, tmp_path, room):
+def test_a_full_disk_is_told_and_resumed(expected, scheduler, tmp_path, room):
     file, folder = write(tmp_path, 90), tmp_path / "study"
     limited = f"import resource, sys; resource.setrlimit(resource.RLIMIT_FSIZE, ({room}, {room})); " + (
         "from hdconj.study.__main__ import main; sys.exit(main(sys.argv[1:]))"
@@ -328,23 +328,23 @@ def test_a_full_disk_is_told_and_resumed(expected, tmp_path, room):
     assert "run again to resume" in failed.stderr
     assert str(folder) in failed.stderr
     assert not [file for file in folder.rglob(".*")]
-    study.run(file, folder, jobs=1, progress=False)
+    study.run(file, folder, scheduler=scheduler, progress=False)
     assert bits(folder) == expected
 
 
 @pytest.mark.parametrize("line", ['sample.count = 2\nscene = "drive.toml"', '"scene" = "drive.toml"  # mine'])
-def test_the_folder_has_a_study_wherever_its_scene_is_named(tmp_path, line):
+def test_the_folder_has_a_study_wherever_its_scene_is_named(scheduler, tmp_path, line):
     (tmp_path / "drive.toml").write_text(hdconj.Scene().to_toml())
     file = tmp_path / "s.toml"
     file.write_text(f'{line}\nvary.a = {{ list = [1, 2] }}\n[figures]\nscene = "a"\n')
-    study.run(file, tmp_path / "out", jobs=1, progress=False)
+    study.run(file, tmp_path / "out", scheduler=scheduler, progress=False)
     assert "scene" in study.open(tmp_path / "out").frame
 
 
-def test_the_folder_repeats_the_study(expected, tmp_path):
+def test_the_folder_repeats_the_study(expected, scheduler, tmp_path):
     first, second = tmp_path / "first", tmp_path / "second"
-    study.run(recipe(30), first, jobs=1, progress=False)
-    study.run(first / "study.toml", second, jobs=1, progress=False)
+    study.run(recipe(30), first, scheduler=scheduler, progress=False)
+    study.run(first / "study.toml", second, scheduler=scheduler, progress=False)
     assert bits(first) == bits(second)
     about = json.loads((first / "study.json").read_text())
     assert about["program"].startswith(hdconj.__version__) and len(about["scene_sha256"]) == 64
@@ -384,23 +384,23 @@ def write_with_files(folder):
     return folder / "study.toml"
 
 
-def test_the_folder_has_the_files_that_the_scene_names(tmp_path):
+def test_the_folder_has_the_files_that_the_scene_names(scheduler, tmp_path):
     file, first = write_with_files(tmp_path), tmp_path / "first"
-    study.run(file, first, jobs=1, progress=False)
+    study.run(file, first, scheduler=scheduler, progress=False)
     found = study.open(first)
     assert list(found.frame["code"]) == ["", "", "", "", "scene", "scene"]
     depth = list(found.frame["depth"][:4])
     assert len(set(depth)) == 4  # every cam and every wall
     names = {each.name for each in (first / "files").iterdir()}
     assert len(names) == 3 and {"cam.csv", "points-flank.csv"} < names
-    assert study.run(file, first, jobs=1, progress=False).done == 0
+    assert study.run(file, first, scheduler=scheduler, progress=False).done == 0
     cam = tmp_path / "scenes/b/cam.csv"
     cam.write_text(cam.read_text().replace("0.24", "0.23"))
     with pytest.raises(hdconj.InputError, match="holds rows of another study"):
-        study.run(file, first, jobs=1, progress=False)
+        study.run(file, first, scheduler=scheduler, progress=False)
     shutil.rmtree(tmp_path / "scenes")
     (tmp_path / "points-flank.csv").unlink()
-    study.run(first / "study.toml", tmp_path / "second", jobs=1, progress=False)
+    study.run(first / "study.toml", tmp_path / "second", scheduler=scheduler, progress=False)
     again = study.open(tmp_path / "second").frame
     assert found.frame.drop(columns="cause").equals(again.drop(columns="cause"))  # which names the missing file
     assert [hdconj.solve(found.scene(i)).figures["space_depth"].value for i in range(4)] == depth
@@ -455,8 +455,8 @@ def test_what_drives_share_is_computed_once():
     assert none == 0 and 0 < of_first < of_all / 3 and of_others == 0 and reused > 0
 
 
-def test_a_row_is_the_drive_alone(expected, tmp_path):
-    study.run(recipe(20), tmp_path, jobs=1, progress=False)
+def test_a_row_is_the_drive_alone(expected, scheduler, tmp_path):
+    study.run(recipe(20), tmp_path, scheduler=scheduler, progress=False)
     found = study.open(tmp_path)
     row = found.frame[found.frame["code"] == ""].iloc[0]
     alone = hdconj.solve(found.scene(int(row["sample"])))
