@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 
 #include "base/text.hpp"
 #include "hdconj/contact.hpp"
@@ -144,20 +145,25 @@ MeshedSheet mesh_under_torque(DesignWishes const& wishes, std::function<void(std
     if (!wishes.torque || !best.mesh.best)
         return best;
     std::vector<WallTrial> tried;
+    auto const try_walls = [&](std::initializer_list<double> walls) {
+        for (double const wall : walls) {
+            if (talk)
+                talk("stress with a wall of " + short_number(wall * best.sheet["d_r"], digits) + " mm");
+            MeshedSheet const made = mesh_with_cone(wishes, wall);
+            if (!made.mesh.best)
+                continue;
+            WallTrial const& trial = made.walls.back();
+            tried.push_back(trial);
+            if (best.walls.empty() || trial.refusal.empty() || badness(trial) < badness(best.walls.back()))
+                best = made;
+            if (trial.refusal.empty())
+                return;
+        }
+    };
     // the first is that of type-50; bending asks for a thinner wall, torque for a thicker one
-    for (double const wall : std::array{0.014, 0.012, 0.01, 0.015}) {
-        if (talk)
-            talk("stress with a wall of " + short_number(wall * best.sheet["d_r"], digits) + " mm");
-        MeshedSheet const made = mesh_with_cone(wishes, wall);
-        if (!made.mesh.best)
-            continue;
-        WallTrial const& trial = made.walls.back();
-        tried.push_back(trial);
-        if (best.walls.empty() || trial.refusal.empty() || badness(trial) < badness(best.walls.back()))
-            best = made;
-        if (trial.refusal.empty())
-            break;
-    }
+    try_walls({0.014, 0.012, 0.01, 0.015});
+    if (best.walls.empty())
+        try_walls({0.013, 0.011});  // the others of mesh_with_wall()
     // what was tried in order, the one that is taken last
     std::erase_if(tried, [&](WallTrial const& each) { return each.wall == best.walls.back().wall; });
     best.walls.insert(best.walls.begin(), tried.begin(), tried.end());
