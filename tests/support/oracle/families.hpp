@@ -51,14 +51,14 @@ std::shared_ptr<FlankCurve<T> const> stretch(F formula, T lower, T upper, int in
 
 /// Unit vector at @p angle clockwise from y, and its derivative.
 template <class T>
-Point<T> clockwise(T const& angle)
+inline Point<T> clockwise(T const& angle)
 {
     using std::cos;
     using std::sin;
     return {sin(angle), cos(angle)};
 }
 template <class T>
-Point<T> across(T const& angle)
+inline Point<T> across(T const& angle)
 {
     using std::cos;
     using std::sin;

@@ -32,7 +32,10 @@ class FlankCurve
     {
         for (int i = 0; i <= intervals; ++i) {
             table_.push_back(formula_(parameter(static_cast<std::size_t>(i), intervals)).point);
-            widest_ = std::max(widest_, table_.back().x);
+            Point<T> const& p = table_.back();
+            least_ = i == 0 ? p : Point<T>{std::min(least_.x, p.x), std::min(least_.y, p.y)};
+            most_ = i == 0 ? p : Point<T>{std::max(most_.x, p.x), std::max(most_.y, p.y)};
+            widest_ = std::max(widest_, p.x);
             if (i > 0)
                 spacing_ = std::max(spacing_, length(table_.back() - table_[table_.size() - 2]));
         }
@@ -48,18 +51,24 @@ class FlankCurve
         return true;
     }
 
+    /// Whether no point of the curve is nearer to @p p than @p distance: the box of the table is not.
+    bool is_beyond(Point<T> const& p, T const& distance) const
+    {
+        T const reach = distance + spacing_;
+        return p.x - most_.x > reach || least_.x - p.x > reach || p.y - most_.y > reach || least_.y - p.y > reach;
+    }
+
     /// Smallest distance of @p p: each dip of the table that may hold it is followed to its foot.
     T distance(Point<T> const& p) const
     {
         using std::sqrt;
         std::size_t const n = table_.size();
-        T best = length(p - table_[0]);
         std::vector<T> apart(n);
         for (std::size_t i = 0; i < n; ++i) {
             Point<T> const d = p - table_[i];
             apart[i] = dot(d, d);
-            best = apart[i] < best * best ? sqrt(apart[i]) : best;
         }
+        T const best = sqrt(*std::min_element(apart.begin(), apart.end()));
         // between two table points no curve point is nearer than the nearer of them less their spacing
         T const reach = best + spacing_;
         T result = best;
@@ -154,6 +163,7 @@ class FlankCurve
 
     Formula formula_;
     std::vector<Point<T>> table_;
+    Point<T> least_{}, most_{};  ///< corners of the table's box
     T spacing_{}, widest_{};
 };
 

@@ -37,13 +37,13 @@ struct Point
 };
 
 template <class T>
-T dot(Point<T> const& a, Point<T> const& b)
+inline T dot(Point<T> const& a, Point<T> const& b)
 {
     return a.x * b.x + a.y * b.y;
 }
 
 template <class T>
-T length(Point<T> const& a)
+inline T length(Point<T> const& a)
 {
     using std::sqrt;
     return sqrt(a.x * a.x + a.y * a.y);
@@ -51,7 +51,7 @@ T length(Point<T> const& a)
 
 /// Turned clockwise by @p angle, the sense in which all polar angles are counted.
 template <class T>
-Point<T> turned_clockwise(Point<T> const& a, T const& angle)
+inline Point<T> turned_clockwise(Point<T> const& a, T const& angle)
 {
     using std::cos;
     using std::sin;

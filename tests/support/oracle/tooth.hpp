@@ -179,6 +179,8 @@ class Tooth
         if (p.y > root().y)
             best = length(p - root());
         for (auto const& piece : flank) {
+            if (piece.curve && piece.curve->is_beyond(p, best))
+                continue;
             T const d = piece.distance(p);
             if (d < best)
                 best = d;

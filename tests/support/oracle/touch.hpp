@@ -94,16 +94,27 @@ class TouchScan
 
     double position(double index) const { return -half_ + step_ * index; }
 
+    /// Positions at which the tooth cannot have come near since the one before are left out: in a step the distance
+    /// changes by no more than the tooth moves.
     void scan(Point<double> const& p, int copy, double& best, std::vector<Candidate>& candidates)
     {
         double const infinity = std::numeric_limits<double>::infinity();
+        std::size_t away = 0;
         for (std::size_t i = 0; i < poses_.size(); ++i) {
+            scratch_[i] = infinity;
+            if (away > 0) {
+                --away;
+                continue;
+            }
             auto const& pose = poses_[i];
             Point<double> const d = p - pose.origin;
             double const y = dot(d, pose.outward), x = std::abs(dot(d, pose.along));
             double const far = best + 2 * slack_;
-            scratch_[i] = y - tooth.top > far || x - tooth.half_width > far ? infinity : tooth.distance({x, y});
+            if (y - tooth.top > far || x - tooth.half_width > far)
+                continue;
+            scratch_[i] = tooth.distance({x, y});
             best = std::min(best, scratch_[i]);
+            away = static_cast<std::size_t>(std::max(0.0, (scratch_[i] - best) / (2 * slack_) - 1));
         }
         for (std::size_t i = 1; i + 1 < scratch_.size(); ++i)
             if (scratch_[i] < infinity && scratch_[i] <= scratch_[i - 1] && scratch_[i] <= scratch_[i + 1])
