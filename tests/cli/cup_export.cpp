@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -175,6 +176,8 @@ TEST_CASE("CalculiX finds the same contact of cup and bearing", "[export]")
                                      "'!bearing.axially'"},
                                  Row{"elastic ring", " --steps 12"}, Row{"small drive", small});
     CAPTURE(row.what);
+    if (std::string(row.what) == "elastic ring" && std::getenv("HDCONJ_FULL") == nullptr)
+        return;  // the small drive has one too
     TemporaryFolder const folder;
     auto const written = hdconj_run("export " + scene + "--calculix deck --contact" + row.options, folder.path());
     INFO(written.err);
@@ -186,7 +189,7 @@ TEST_CASE("CalculiX finds the same contact of cup and bearing", "[export]")
         not_tried("ccx");
         return;
     }
-    REQUIRE(run("OMP_NUM_THREADS=2 ccx contact", deck).status == 0);
+    REQUIRE(run("OMP_NUM_THREADS=1 ccx contact", deck).status == 0);
     auto const found = surface_force((deck / "contact.dat").string());
     constexpr double close = 0.03;  // grids of contact points that differ, and a penalty
     CHECK(-found[0] == Approx(force[0]).epsilon(close));

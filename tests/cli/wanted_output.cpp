@@ -127,7 +127,7 @@ TEST_CASE("where flanks part at once the place is told", "[program][wanted]")
     TemporaryFolder const folder;
     // other teeth: their flanks touch for a few degrees, and no curve of bounded curvature goes on from there
     auto const run =
-        hdconj_run("solve " + quoted + "-o a.h5 --set flexspline.profile.convex_radius=0.25", folder.path());
+        hdconj_run("solve " + quoted + "-o a.h5 --set flexspline.profile.convex_radius=0.3", folder.path());
     CHECK(run.status == 1);
     CHECK(contains(run.err, "neutral curve: "));
     CHECK(contains(run.err, "stop touching"));
