@@ -73,7 +73,7 @@ TEST_CASE("points of lands and roots are not evaluated, wherever the part stands
     for (double const turn : {0.0, 0.4 * pitch, -0.45 * pitch}) {
         PointFile file{"spline", {}, false};
         for (int const space : {0, 37, 80, 121, 160})
-            for (std::size_t i = 0; i < spline.outline.front().size(); i += 9)
+            for (std::size_t i = 0; i < spline.outline.front().size(); i += 36)
                 file.points.push_back(
                     {turned_clockwise(spline.outline.front()[i], space * pitch + turn) + shift, 0, 0, std::nullopt, 0});
         for (Registration const registration : {Registration::least_squares, Registration::minimum_zone}) {
