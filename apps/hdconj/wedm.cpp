@@ -115,7 +115,8 @@ std::string found_interference(StoredOutline const& stored, Scene const& scene, 
     ToothSurface const surface = scene.slices ? scene.slices->surface : ToothSurface::tilted;
     double const tilt = scene.tilt ? scene.tilt->angle : 0;
     auto const found = std::ranges::find_if(stored.cases, [&](StoredCase const& each) {
-        return each.interferes && each.surface == to_string(surface) && each.tilt == tilt;
+        return each.interferes && each.surface == to_string(surface) && each.tilt == tilt &&
+               (tilt == 0 || each.kind == to_string(scene.tilt->kind));
     });
     if (found == stored.cases.end())
         return {};

@@ -54,6 +54,7 @@ enum class SummaryDetail
 struct StoredCase
 {
     std::string surface;                    ///< word of ToothSurface
+    std::string kind;                       ///< word of TiltKind; empty without a tilt
     double tilt = 0;                        ///< [rad]
     std::optional<double> flank_clearance;  ///< with the scene's side clearance, where that is stored; negative beyond
                                             ///< its error: interference [mm]

@@ -191,6 +191,14 @@ TEST_CASE("wedm of a result with cases cuts the ring of its scene, and says what
                             ContainsSubstring("um off the one that is cut") && !ContainsSubstring("a tilt of"));
     CHECK_THAT(content(folder / "b" / "type-50_summary.txt"), ContainsSubstring("WARNING: " + warning));
     CHECK_THAT(content(folder / "b" / "type-50_setup.txt"), ContainsSubstring("WARNING  c.h5 holds the ring"));
+    // a case with the other kind of tilt says nothing of this ring
+    REQUIRE(
+        hdconj::test::hdconj_run("contact --quiet --no-errors --kind draft -o d.h5 " + scene, folder.path()).status ==
+        0);
+    auto const draft = json::parse(wedm("--from d.h5 -o d --json --quiet", folder).out);
+    REQUIRE(draft.at("warnings").size() == 2);
+    for (auto const& each : draft.at("warnings"))
+        CHECK_THAT(each.get<std::string>(), !ContainsSubstring("found that teeth enter"));
 }
 
 TEST_CASE("wedm warns of a cone without side clearance, by the study that knows it where there is one", "[wedm]")

@@ -56,7 +56,7 @@ std::vector<StoredCase> cases_of(StoredGroup const& place)
     std::vector<StoredCase> cases;
     if (!place.holds("side_clearance_increased"))
         return cases;
-    auto const surface = place.list<std::string>("surface");
+    auto const surface = place.list<std::string>("surface"), kind = place.list<std::string>("kind");
     auto const increased = place.list<int>("side_clearance_increased");
     auto const column = [&](char const* name) {
         return place.holds(name) ? place.list<double>(name) : std::vector<double>();
@@ -65,13 +65,14 @@ std::vector<StoredCase> cases_of(StoredGroup const& place)
                least = column("least_side_clearance"), least_tip = column("least_tip_radius"),
                flank = column("flank_clearance"), error = column("flank_clearance_error"), z = column("flank_z");
     std::size_t const count = surface.size();
+    require(kind.size() == count, "lists of cases differ in length");
     for (auto const* const each : {&tilt, &offset, &tip})
         require(each->size() == count && increased.size() == count, "lists of cases differ in length");
     bool const has_flank =
         flank.size() == count && z.size() == count && least.size() == count && least_tip.size() == count;
     constexpr double touches = 1e-6;  // of teeth that shall touch, without an error [mm]
     for (std::size_t i = 0; i < count; ++i) {
-        StoredCase one{surface[i], tilt[i], {}, 0, increased[i] != 0, offset[i], tip[i]};
+        StoredCase one{surface[i], kind[i], tilt[i], {}, 0, increased[i] != 0, offset[i], tip[i]};
         if (has_flank) {
             one.flank_clearance = flank[i];
             one.flank_z = z[i];
