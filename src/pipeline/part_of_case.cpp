@@ -28,7 +28,7 @@ void write_with(Solution& out, contact::ContactStudyData& data, SurfaceSpec cons
     Scene scene = contact::middle_scene(data.scene);
     scene.circular_spline.backlash_offset = side_clearance;
     scene.circular_spline.inner_radius = tip;
-    conjugate::SolvedPlane solved = contact::solve_pair(std::move(scene), {}, std::nullopt, data.middle.cup);
+    conjugate::SolvedPlane solved = contact::solved_plane(std::move(scene), {}, std::nullopt, data.middle.cup);
     Solution& base = solved.solution;
     out.judgement = base.judgement;
     if (z.size() == 1) {

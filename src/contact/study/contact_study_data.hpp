@@ -35,9 +35,9 @@ inline constexpr ContactRequest standard_contact{standard_gap, 200, 0, 0};
 }
 
 /// The pair of @p scene, which has no axial effects, solved. @param cup  on its wave generator, where it is known
-[[nodiscard]] inline conjugate::SolvedPlane solve_pair(Scene scene, StageObserver const& on_stage,
-                                                       std::optional<double> cup_error,
-                                                       std::shared_ptr<elastic::BentCup const> cup = {})
+[[nodiscard]] inline conjugate::SolvedPlane solved_plane(Scene scene, StageObserver const& on_stage,
+                                                         std::optional<double> cup_error,
+                                                         std::shared_ptr<elastic::BentCup const> cup = {})
 {
     conjugate::SolvedPlane plane;
     Solution& middle = plane.solution;
@@ -60,8 +60,8 @@ struct ContactStudyData
         : scene(asked),
           plan(make_plan(scene, verb)),
           clock(plan, on_stage),
-          plane(solve_pair(middle_scene(scene), on_stage,
-                           plan.has(Stage::load) ? std::nullopt : std::optional(drive::width_of_slices(scene)))),
+          plane(solved_plane(middle_scene(scene), on_stage,
+                             plan.has(Stage::load) ? std::nullopt : std::optional(drive::width_of_slices(scene)))),
           threads(middle.threads)
     {
         middle.scene.coning = scene.coning;
