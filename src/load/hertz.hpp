@@ -52,8 +52,9 @@ struct LineContact
     return half_width(c, q) > elastic_half_width(c, q);
 }
 
-/// Largest pressure 2 q/(pi a) [MPa] of the ellipse (Hertz) over the strip. Where a body flows it is 4 p/pi, its value
-/// at the first flow: the pressure flattens from there towards its mean p, so that this is an upper bound.
+/// Largest pressure 2 q/(pi a) [MPa] of the ellipse (Hertz) over the strip. Where a body flows it is 4/pi of the flow
+/// pressure, its value at the first flow. There the pressure flattens towards its mean, which is the flow pressure: the
+/// result is an upper bound.
 [[nodiscard]] inline double largest_pressure(LineContact const& c, double q)
 {
     return q <= 0 ? 0 : 2 * q / (std::numbers::pi * half_width(c, q));

@@ -132,8 +132,8 @@ LoadedState error_of(LoadedState const& a, std::vector<LoadedState> const& coars
     return d;
 }
 
-/// Under steel that flows the largest pressure is an upper bound, and the mean @p flow_pressure the lower one. All
-/// grids have the same: their difference does not tell.
+/// Where steel flows the largest pressure is an upper bound, and the mean @p flow_pressure a lower one. All grids give
+/// the same value there, so that their difference says nothing of its error.
 void reach_mean_of_flow(double flow_pressure, LoadedState const& state, LoadedState& error)
 {
     constexpr double rounding = 1e-9;  // of a mean over the half millimetre at an end
