@@ -26,7 +26,7 @@ void touch_law_holds(std::string const& family, std::uint64_t seed)
     hdconj::test::TemporaryFolder const folder;
     designs::WaveGeneratorDesigns draw(family, seed);
     std::size_t const most = full_run() ? static_cast<std::size_t>(-1) : 16;
-    int const wanted = 100;
+    int const wanted = full_run() ? 100 : 40;
     int refused = 0;
     std::size_t points = 0;
     double worst = 0;
