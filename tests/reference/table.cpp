@@ -4,6 +4,7 @@
 /// against the table.
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
 #include <iostream>
 #include <map>
 #include <string>
@@ -23,9 +24,11 @@ using hdconj::Solution;
 
 namespace {
 
+constexpr char stored_table[] = HDCONJ_SOURCE_DIR "/data/reference/type-50-envelope.csv";
+
 std::vector<TableRow> stored_rows()
 {
-    return read_rows(std::string(HDCONJ_SOURCE_DIR) + "/data/reference/type-50-envelope.csv");
+    return read_rows(stored_table);
 }
 
 /// How far the branch's polygon passes from a table row: only where the branch is at the row's position
@@ -180,6 +183,18 @@ TEST_CASE("reference table: the other motion models against the exact one", "[re
         CHECK(largest > 2);
         CHECK(largest < 4);
     }
+}
+
+TEST_CASE("writes the stored table", "[.][reference-table]")
+{
+    std::ofstream out(stored_table);
+    out << "# Envelope points of type-50 (data/scenes/type-50.toml), made by tests/reference/table.cpp.\n"
+           "# Pieces of the whole tooth from the left root over the tip to the right root; t from 0 to 1 along the\n"
+           "# piece, proportional to arc length; u and phi in rad, x and y in mm in the circular-spline frame.\n"
+        << table_header << "\n";
+    for (auto const kinematics : all_kinematics)
+        for (TableRow const& row : computed_rows(builtin_scene(), kinematics))
+            out << table_line(row) << "\n";
 }
 
 }  // namespace hdconj::test::table_cases

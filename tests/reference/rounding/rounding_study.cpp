@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the digits go: writes data/reference/rounding-*.csv (docs/explanation/stability.md explains them).
-//
-//   rounding_study FOLDER [DESIGNS]
+/// @file
+/// Where the digits go: writes data/reference/rounding-*.csv, which docs/explanation/stability.md explains.
 #include <cstdio>
 #include <fstream>
 #include <iostream>
 
+#include "support/catch.hpp"
 #include "support/random_designs.hpp"
 #include "support/rounding/cases.hpp"
 #include "support/rounding/special.hpp"
+
+namespace hdconj::test::rounding_study {
 
 using namespace rounding;
 
@@ -58,7 +60,8 @@ void take(std::array<Worst, judged_count>& worst, Contact const& c)
 void write_cases(std::string const& folder)
 {
     std::ofstream out(folder + "/rounding-cases.csv");
-    out << "# digits lost, worst of all contacts of the right flank; written by tests/reference/rounding_study.cpp\n"
+    out << "# digits lost, worst of all contacts of the right flank; written by "
+           "tests/reference/rounding/rounding_study.cpp\n"
            "case,step,condition,float,double,long_double,program,worst_piece,worst_u_deg\n";
     for (auto const& [name, scene] : cases()) {
         FourTypes const drive(scene);
@@ -83,7 +86,7 @@ void write_random(std::string const& folder, int designs)
     std::ofstream out(folder + "/rounding-random.csv");
     out << "# worst condition of each step in " << designs << " random designs (tests/support/random_designs.hpp, seed "
         << random_seed
-        << "), exact motion, and digits lost there; written by tests/reference/rounding_study.cpp\n"
+        << "), exact motion, and digits lost there; written by tests/reference/rounding/rounding_study.cpp\n"
            "step,median,ninety_nine_percent,worst,double_digits,program_digits,design,module,z_f,z_c,waves,family,"
            "piece,u_deg\n";
     struct Found
@@ -268,17 +271,14 @@ void write_fast(std::string const& folder)
 
 }  // namespace
 
-int main(int argc, char** argv)
+TEST_CASE("writes the tables of rounding", "[.][rounding-tables]")
 {
-    if (argc < 2) {
-        std::cerr << "usage: rounding_study FOLDER [DESIGNS]\n";
-        return 2;
-    }
-    std::string const folder = argv[1];
+    std::string const folder = HDCONJ_SOURCE_DIR "/data/reference";
     write_cases(folder);
     write_fold(folder);
     write_cusp(folder);
     write_fast(folder);
-    if (argc > 2)
-        write_random(folder, std::stoi(argv[2]));
+    write_random(folder, 1000);
 }
+
+}  // namespace hdconj::test::rounding_study
