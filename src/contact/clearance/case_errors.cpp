@@ -69,7 +69,7 @@ void write_clearance_errors(ErrorPlanes const& planes, double given, double unse
     ContactContext const& context = planes.surface.context();
     double const enough = clearance_accuracy(context.tolerance), chord = context.tolerance.length;
     bool const both = !(context.tooth.mirror_symmetric && planes.clearances.motion(0).symmetric());
-    ClearanceSet const bottom = root_set(planes.outline, context.tolerance);
+    ClearanceSet const bottom = root_set(planes.outline, given, context.tolerance);
     std::vector<double> const flank =
         lowest_of(planes.clearances, flank_set(planes.grid, both), given, false, planes.flank);
     std::vector<double> const root = lowest_of(planes.clearances, bottom, 0, true, planes.root);
@@ -225,7 +225,7 @@ void write_errors_in(ErrorPlanes const& planes, CaseSurface const& in_slices, Su
         unseen_length(cleared, result.least_side_clearance) + chords +
         (anew ? overlap_at_ends(cleared, result.least_side_clearance) : 0);
     result.least_root_clearance_error = least_clearance_error(
-        context, clearances, root_set(planes.outline, context.tolerance), result.least_root_clearance, true,
+        context, clearances, root_set(planes.outline, made.given, context.tolerance), result.least_root_clearance, true,
         result.least_root_clearance == 0 ? planes.root : nullptr);
     result.least_tip_radius_error = least_tip_radius_error(in_slices, planes.surface, planes.cleared, made.cleared,
                                                            result.least_side_clearance_error, made.given);

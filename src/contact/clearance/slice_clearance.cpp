@@ -218,36 +218,4 @@ ClearanceSet flank_set(FlankGrid const& grid, bool both)
     return set;
 }
 
-/// Flat stretches of an outline have no points between their ends, so the bottom is divided anew.
-ClearanceSet root_set(conjugate::MatchedOutline const& outline, Tolerance const& tolerance)
-{
-    constexpr std::size_t intervals = 96;
-    std::size_t const first = outline.landmarks[1];
-    std::size_t const last = outline.landmarks[3];
-    ClearanceSet set;
-    set.known = 2 * tolerance.length;  // that of the outline, and that of the one that it was made to clear
-    for (auto const& points : outline.points) {
-        std::vector<double> length{0};
-        for (std::size_t i = first; i < last; ++i)
-            length.push_back(length.back() + (points[i + 1] - points[i]).norm());
-        set.point.emplace_back();
-        std::size_t at = 0;
-        for (std::size_t j = 0; j <= intervals; ++j) {
-            double const wanted = length.back() * static_cast<double>(j) / intervals;
-            while (at + 2 < length.size() && length[at + 1] < wanted)
-                ++at;
-            double const step = length[at + 1] - length[at];
-            double t = step > 0 ? std::clamp((wanted - length[at]) / step, 0.0, 1.0) : 0.0;
-            // a curve is what its points are, and a flat what is between them
-            if (step < length.back() / intervals)
-                t = t < 0.5 ? 0 : 1;
-            set.point.back().push_back((1 - t) * points[first + at] + t * points[first + at + 1]);
-        }
-        // the middle of the bottom is where the tip goes deepest
-        set.point.back().push_back(points[outline.landmarks[2]]);
-        set.way.emplace_back(set.point.back().size(), Vec2{0, 1});
-    }
-    return set;
-}
-
 }  // namespace hdconj::contact

@@ -36,9 +36,11 @@ struct MovedSlice
 /// grid.
 [[nodiscard]] ClearanceSet flank_set(FlankGrid const& grid, bool both);
 
-/// The bottom of the space, moved along the centre line: points evenly spaced from one flank end to the other, and the
-/// middle of the bottom as the last.
-[[nodiscard]] ClearanceSet root_set(conjugate::MatchedOutline const& outline, Tolerance const& tolerance);
+/// The bottom of the space with the side clearance @p given, moved along the centre line: points evenly spaced from one
+/// flank end to the other, and the middle of the bottom as the last. Side clearance moves the bottom too, and by as
+/// much. Walls that root clearance has put on the ends of the flanks are left out: no depth moves their lower ends,
+/// which are the flanks' own.
+[[nodiscard]] ClearanceSet root_set(conjugate::MatchedOutline const& outline, double given, Tolerance const& tolerance);
 
 /// The deepest place of one slice.
 struct Deepest

@@ -79,7 +79,7 @@ MadePart write_clearances(CaseSurface const& surface, SliceClearances const& cle
     Cleared const& part = nominal.part;
     FlankGrid const& grid = part.flanks.grid;
     ClearanceSet const flanks = flank_set(grid, !has_mirrored_flanks(context));
-    ClearanceSet const root = root_set(part.outline, context.tolerance);
+    ClearanceSet const root = root_set(part.outline, given, context.tolerance);
     TurnsOfSet at_root;
     context.clock.run(Stage::clearance, [&] {
         // a part that was cleared by nothing is known already
