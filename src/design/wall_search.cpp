@@ -137,6 +137,19 @@ MeshedSheet mesh_with_cone(DesignWishes const& wishes, double wall)
     return made;
 }
 
+/// The coned cup lifts the tips of one end above those of the middle, for which the bottom of the space is made: a row
+/// with the depth that they need beyond it.
+void add_root_clearance(MeshedSheet& made)
+{
+    ContactCase const found = study_contact(loaded_scene(scene_of(made.rows()))).cases.front();
+    if (found.least_root_clearance == 0)
+        return;
+    double const least = found.least_root_clearance + found.least_root_clearance_error;
+    made.sheet.add({"root clearance", "", "circular_spline.root_clearance",
+                    "tips of the coned cup clear the bottom of the space", DesignRange{least, DesignRange().high},
+                    rounded_up(least), "mm", "contact", DesignOrigin::computed, ""});
+}
+
 }  // namespace
 
 MeshedSheet mesh_under_torque(DesignWishes const& wishes, std::function<void(std::string const&)> const& talk)
@@ -164,6 +177,8 @@ MeshedSheet mesh_under_torque(DesignWishes const& wishes, std::function<void(std
     try_walls({0.014, 0.012, 0.01, 0.015});
     if (best.walls.empty())
         try_walls({0.013, 0.011});  // the others of mesh_with_wall()
+    if (best.works())
+        add_root_clearance(best);
     // what was tried in order, the one that is taken last
     std::erase_if(tried, [&](WallTrial const& each) { return each.wall == best.walls.back().wall; });
     best.walls.insert(best.walls.begin(), tried.begin(), tried.end());

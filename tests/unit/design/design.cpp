@@ -148,7 +148,7 @@ TEST_CASE("a drive beside the design of its wishes", "[design]")
     CHECK_FALSE(made.design.differences.empty());
 }
 
-TEST_CASE("a design under torque keeps its land with the side clearance that its cone needs", "[design]")
+TEST_CASE("a design under torque keeps its land with the clearances that its cone needs", "[design]")
 {
     std::vector<DesignWishes> all(3, type_50());
     all[0].torque = 28 * newton_metre;
@@ -177,6 +177,8 @@ TEST_CASE("a design under torque keeps its land with the side clearance that its
         CHECK_FALSE(coned.side_clearance_increased);
         CHECK(coned.closest_flank().clearance >= 0);
         CHECK(coned.tip == scene.circular_spline.inner_radius);
+        CHECK(scene.circular_spline.root_clearance > 0);
+        CHECK(coned.least_root_clearance == 0);
     }
 }
 
