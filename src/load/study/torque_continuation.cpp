@@ -43,7 +43,8 @@ constexpr Attempt attempts[] = {{{1}, 3, 25},
                                 {{1, false, true}, 3, 40},
                                 {{0.5, true, true}, 3, 40},
                                 {{0x1p-4}, 3, 40},
-                                {{0x1p-6}, 3, 40}};
+                                {{0x1p-6}, 3, 40},
+                                {{0x1p-10}, 3, 40}};
 
 std::string place_of(double torque)
 {
