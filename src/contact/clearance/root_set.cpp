@@ -10,12 +10,13 @@
 namespace hdconj::contact {
 namespace {
 
-/// A slice of an outline that was moved into the material from land corner to land corner.
+/// A slice of an outline, moved by a distance into the material from land corner to land corner. What overlaps there is
+/// cut; what comes before and behind stays.
 struct MovedSpace
 {
     std::vector<Vec2> point;
-    std::vector<Vec2> normal;
-    double distance;
+    std::vector<Vec2> normal;  ///< of the curve that each point belongs to, into the material
+    double distance;           ///< [mm]
 
     /// What lies at the share @p t of the way from point @p i to the next: on a corner that has opened an arc about it.
     [[nodiscard]] Vec2 between(std::size_t i, double t) const
