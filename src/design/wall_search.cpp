@@ -144,10 +144,10 @@ void add_root_clearance(MeshedSheet& made)
     ContactCase const found = study_contact(loaded_scene(scene_of(made.rows()))).cases.front();
     if (found.least_root_clearance == 0)
         return;
-    double const least = found.least_root_clearance + found.least_root_clearance_error;
+    double const least = rounded_up(found.least_root_clearance + found.least_root_clearance_error);
     made.sheet.add({"root clearance", "", "circular_spline.root_clearance",
                     "tips of the coned cup clear the bottom of the space", DesignRange{least, DesignRange().high},
-                    rounded_up(least), "mm", "contact", DesignOrigin::computed, ""});
+                    least, "mm", "contact", DesignOrigin::computed, ""});
 }
 
 }  // namespace
