@@ -63,7 +63,7 @@ struct SliceClearance
     double z = 0;            ///< [mm]
     double amplitude = 0;    ///< radial deformation w0(z) of this slice [mm]
     Closest flank;           ///< between land corner and flank end, both sides
-    Closest root;            ///< around the bottom of the space
+    Closest root;            ///< around the bottom of the space, with the scene's side clearance
     double flank_error = 0;  ///< estimated, of this slice's smallest distance for itself, as `root_error` [mm]
     double root_error = 0;   ///< the same of the smallest distance at the root [mm]
 };
@@ -132,7 +132,7 @@ struct ContactCase
                                          ///< turn, with that tip circle [mm]
     double least_tip_radius = 0;      ///< least tip circle at z = 0 that goes with it: every slice has a tip land and
                                       ///< clears the rim, and the cleared flanks begin on it [mm]
-    double least_root_clearance = 0;  ///< least root clearance without interference, the same for the bottom [mm]
+    double least_root_clearance = 0;  ///< least root clearance without interference, beside the scene's [mm]
     double backlash_of_least_side_clearance = 0;  ///< backlash of the least side clearance alone [rad]
     ContactState state;  ///< at the scene's angle of the wave generator; of a revolution the one with the smallest
                          ///< contact fraction

@@ -137,8 +137,8 @@ MeshedSheet mesh_with_cone(DesignWishes const& wishes, double wall)
     return made;
 }
 
-/// The coned cup lifts the tips of one end above those of the middle, for which the bottom of the space is made: a row
-/// with the depth that they need beyond it.
+/// Adds a row with the root clearance that the coned cup needs. The bottom of the space is made for the tips in the
+/// middle of the face width, and the cone lifts those at one end further out.
 void add_root_clearance(MeshedSheet& made)
 {
     ContactCase const found = study_contact(loaded_scene(scene_of(made.rows()))).cases.front();

@@ -10,15 +10,15 @@
 namespace hdconj::contact {
 namespace {
 
-/// A slice of an outline, moved by a distance into the material from land corner to land corner. What overlaps there is
-/// cut; what comes before and behind stays.
+/// The outline of a slice after its points between the land corners were moved by one distance into the material.
 struct MovedSpace
 {
     std::vector<Vec2> point;
     std::vector<Vec2> normal;  ///< of the curve that each point belongs to, into the material
     double distance;           ///< [mm]
 
-    /// What lies at the share @p t of the way from point @p i to the next: on a corner that has opened an arc about it.
+    /// The place between point @p i and the next, at the share @p t of the way. A corner that moving has opened is
+    /// bridged by an arc.
     [[nodiscard]] Vec2 between(std::size_t i, double t) const
     {
         if (distance == 0)
@@ -29,6 +29,8 @@ struct MovedSpace
     }
 };
 
+/// Slice @p k of @p outline, moved by @p distance [mm]. Where two moved branches cross, what lies behind the crossing
+/// is cut off. Points outside the land corners stay.
 MovedSpace moved_space(conjugate::MatchedOutline const& outline, std::size_t k, double distance)
 {
     MovedSpace space{outline.points[k], outline.normals[k], distance};
@@ -40,14 +42,14 @@ MovedSpace moved_space(conjugate::MatchedOutline const& outline, std::size_t k, 
     std::vector<Vec2> normal(space.normal.begin() + first, space.normal.begin() + end), moved = bare;
     for (std::size_t i = 0; i < bare.size(); ++i)
         moved[i] += distance * normal[i];
-    (void)trim_overlaps(bare, moved, normal);
+    trim_overlaps(bare, moved, normal);
     std::ranges::copy(moved, space.point.begin() + first);
     std::ranges::copy(normal, space.normal.begin() + first);
     return space;
 }
 
 /// First and last point of the bottom, without walls on the ends of the flanks.
-std::pair<std::size_t, std::size_t> bottom_of(conjugate::MatchedOutline const& outline)
+std::pair<std::size_t, std::size_t> ends_of_bottom(conjugate::MatchedOutline const& outline)
 {
     std::size_t first = outline.landmarks[1], last = outline.landmarks[3];
     for (conjugate::OutlineStretch const& stretch : outline.stretches)
@@ -66,7 +68,7 @@ std::pair<std::size_t, std::size_t> bottom_of(conjugate::MatchedOutline const& o
 ClearanceSet root_set(conjugate::MatchedOutline const& outline, double given, Tolerance const& tolerance)
 {
     constexpr std::size_t intervals = 96;
-    auto const [first, last] = bottom_of(outline);
+    auto const [first, last] = ends_of_bottom(outline);
     ClearanceSet set;
     set.known = 2 * tolerance.length;  // that of the outline, and that of the one that it was made to clear
     for (std::size_t k = 0; k < outline.points.size(); ++k) {

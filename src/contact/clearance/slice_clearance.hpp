@@ -36,10 +36,10 @@ struct MovedSlice
 /// grid.
 [[nodiscard]] ClearanceSet flank_set(FlankGrid const& grid, bool both);
 
-/// The bottom of the space with the side clearance @p given, moved along the centre line: points evenly spaced from one
-/// flank end to the other, and the middle of the bottom as the last. Side clearance moves the bottom too, and by as
-/// much. Walls that root clearance has put on the ends of the flanks are left out: no depth moves their lower ends,
-/// which are the flanks' own.
+/// The bottom of the tooth space with the side clearance @p given [mm], which moves the bottom as far as the flanks.
+/// Points are evenly spaced from one flank end to the other; the last one is the middle of the bottom. To clear, they
+/// are moved along the centre line. The walls that root clearance puts behind the flank ends are left out: a deeper
+/// bottom does not move their lower ends, which belong to the flanks.
 [[nodiscard]] ClearanceSet root_set(conjugate::MatchedOutline const& outline, double given, Tolerance const& tolerance);
 
 /// The deepest place of one slice.
