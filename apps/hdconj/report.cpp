@@ -186,7 +186,9 @@ void add_report(CLI::App& program, CommonOptions& common)
     add_option(verb, "--revolution", own.revolution, "angles of the wave generator at which contact is computed", "N",
                whole_number(1, scene::bounds::most_revolution_angles));
     verb.add_flag("--no-curve", own.no_curve, "load at the largest torque only: no curve");
-    verb.parse_complete_callback([&common, &own] { common.subject = fmt::format("{}", fmt::join(own.sources, ", ")); });
+    // clang 14 cannot capture a name of a structured binding itself.
+    verb.parse_complete_callback(
+        [&common, &sources = own.sources] { common.subject = fmt::format("{}", fmt::join(sources, ", ")); });
     verb.footer(report_footer);
 }
 

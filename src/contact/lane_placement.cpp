@@ -29,9 +29,9 @@ HDCONJ_TARGETS
 void keep_nearer(distance::Lanes const& distance, LanePoints& points, PlacedLanes& placed)
 {
     for (std::size_t l = 0; l < lanes; ++l) {
-        bool const nearer = (placed.asked[l] != 0) & (distance[l] < points.best[l]);
-        points.best[l] = nearer ? distance[l] : points.best[l];
-        placed.asked[l] = nearer ? 1.0 : 0.0;
+        int const nearer = int{placed.asked[l] != 0} & int{distance[l] < points.best[l]};
+        points.best[l] = nearer != 0 ? distance[l] : points.best[l];
+        placed.asked[l] = nearer != 0 ? 1.0 : 0.0;
     }
 }
 
