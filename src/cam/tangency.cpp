@@ -50,7 +50,7 @@ std::optional<Tangency> FlankPair::refined(Tangency const& seed, ToothOrigin con
     Tangency found = seed;
     double const step_limit = std::min(inner_.length(), outer_.length()) / 4;
     double const rounding = 64 * unit_roundoff * (inner_.length() + std::abs(origin.w));
-    int small = 0, at_end = 0;
+    int small = 0, times_at_end = 0;
     for (int i = 0; i < budget; ++i) {
         PointOnFlank const a = inner_.at(found.inner);
         PointOnFlank const b = outer_.at(found.outer);
@@ -73,11 +73,12 @@ std::optional<Tangency> FlankPair::refined(Tangency const& seed, ToothOrigin con
         bool const inside_inner = inner_.advance(found.inner, factor * step[0]);
         bool const inside_outer = outer_.advance(found.outer, factor * step[1]);
         found.theta += factor * step[2];
-        at_end = inside_inner && inside_outer ? 0 : at_end + 1;
-        if (at_end > settled + 1)
+        times_at_end = inside_inner && inside_outer ? 0 : times_at_end + 1;
+        if (times_at_end > settled + 1)
             return std::nullopt;
         found.lever = -arm.dot(nb);
-        bool const done = at_end == 0 && std::abs(step[2]) * inner_.length() <= rounding && miss.norm() <= 4 * rounding;
+        bool const done =
+            times_at_end == 0 && std::abs(step[2]) * inner_.length() <= rounding && miss.norm() <= 4 * rounding;
         small = done ? small + 1 : 0;
         if (small == settled) {
             // opposite normals, a gap that grows to both sides, and a tooth that comes nearer as it turns

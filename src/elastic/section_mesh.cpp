@@ -264,8 +264,8 @@ SectionPoint wall_point(SectionMesh const& mesh, double z, double depth)
     auto const first = static_cast<std::size_t>(mesh.straight);
     double const low = height(first, 0), high = height(rows - 1, 3);
     constexpr double rounding = 1e-12;  // of heights that were divided and added up again
-    double const slack = (high - low) * rounding;
-    require(z >= low - slack && z <= high + slack, "z = " + mm(z),
+    double const beyond = (high - low) * rounding;
+    require(z >= low - beyond && z <= high + beyond, "z = " + mm(z),
             "is outside the straight wall, which reaches from " + mm(low) + " to " + mm(high));
     std::size_t row = first;
     while (row + 1 < rows && z > height(row, 3))

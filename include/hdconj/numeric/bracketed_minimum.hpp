@@ -54,9 +54,9 @@ template <class F>
         return {a, fa};
     double const size = std::max(std::abs(a), std::abs(b));
     double at_a = fa, at_b = f(b);
-    constexpr int budget = 200;
+    constexpr std::size_t budget = 200;
     std::array<double, 2> before{};
-    for (int i = 0; i < budget; ++i) {
+    for (std::size_t i = 0; i < budget; ++i) {
         if (std::abs(b - a) <= 4 * unit_roundoff * size || std::max(at_a, at_b) - at_x <= enough)
             break;
         double const width = std::abs(b - a);
