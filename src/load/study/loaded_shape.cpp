@@ -37,23 +37,39 @@ struct MovedSlice
     double slope = 0;  ///< d place/dphi [mm/rad]
 };
 
-/// The section of the tooth by the plane at @p z: by the cubic through the four slices about it (fewer where there are
-/// fewer), and beyond. Its direction is normal to the section curve, which turns against the slices' own as
-/// SectionPoses says: what u_z changes along phi, the lean of the wall lifts.
-Pose section(std::vector<MovedSlice> const& tooth, double z, double r_m)
+/// Distance between the slices that section() joins, counted in slices. The open end of a cup whose wall keeps all
+/// lengths moves along the axis by u_z = r w_0/(u^2 L). Slices closer to each other than a multiple of that say little
+/// of a section that comes from so far: beyond the last slice, a cubic through them would magnify what forces do to
+/// single slices, the more the closer they are.
+std::size_t slices_apart(contact::ContactContext const& context, std::vector<double> const& z)
 {
-    std::size_t const slices = tooth.size();
-    std::size_t const window = std::min<std::size_t>(4, slices);
-    std::size_t above = 0;
-    while (above + 1 < slices && tooth[above].place <= z)
-        ++above;
-    std::size_t const first = std::min(above > window / 2 ? above - window / 2 : 0, slices - window);
+    constexpr double multiple = 4;
+    int const waves = context.scene.wave_generator.waves;
+    double const moved =
+        context.geometry.r_m * std::abs(context.shape(0).w) / (waves * waves * context.scene.flexspline.cup->length);
+    std::size_t const spaces = z.size() - 1, most = std::max<std::size_t>(1, spaces / 4);
+    double const wanted = std::round(multiple * moved * static_cast<double>(spaces) / (z.back() - z.front()));
+    return std::clamp<std::size_t>(static_cast<std::size_t>(wanted), 1, most);
+}
+
+/// The section of the tooth by the plane of the slice @p k at @p z: by the cubic through this slice and three others
+/// (fewer where there are fewer), @p apart from each other, about the plane, and beyond. Its direction is normal to the
+/// section curve, which turns against the slices' own as SectionPoses says: what u_z changes along phi, the lean of the
+/// wall lifts. Domain: at least two slices, and four times @p apart no more than there are spaces between them, or 1.
+Pose section(std::vector<MovedSlice> const& tooth, std::size_t k, double z, std::size_t apart, double r_m)
+{
+    std::size_t const slices = tooth.size(), window = std::min<std::size_t>(4, slices);
+    std::size_t const wanted_below = tooth[k].place <= z ? window / 2 - 1 : window / 2;
+    std::size_t const room_below = k / apart, room_above = (slices - 1 - k) / apart;
+    std::size_t const needed_below = window - 1 - std::min(room_above, window - 1);
+    std::size_t const first = k - apart * std::min(room_below, std::max(wanted_below, needed_below));
+    std::size_t const end = first + window * apart;
     Pose p{0, 0, Vec2::Zero()};
     Vec2 lean = Vec2::Zero();  // d origin/dz
     double slope = 0;
-    for (std::size_t j = first; j < first + window; ++j) {
+    for (std::size_t j = first; j < end; j += apart) {
         double weight = 1, change = 0;
-        for (std::size_t i = first; i < first + window; ++i) {
+        for (std::size_t i = first; i < end; i += apart) {
             if (i == j)
                 continue;
             double const width = tooth[j].place - tooth[i].place;
@@ -99,6 +115,7 @@ contact::ToothPoses tooth_poses(contact::ContactContext const& context, ElasticD
     auto const teeth = static_cast<std::size_t>(needed[1] - needed[0] + 1);
     contact::ToothPoses places{needed[0], slices, std::vector<Pose>(teeth * slices)};
     std::vector<double> const& z = drive.slice_z;
+    std::size_t const apart = slices < 2 ? 0 : slices_apart(context, z);
     constexpr std::size_t grain = 32;
     parallel_for(teeth, context.threads, grain, [&](std::size_t i) {
         double const phi =
@@ -110,7 +127,7 @@ contact::ToothPoses tooth_poses(contact::ContactContext const& context, ElasticD
             tooth[k] = {motions[k]->pose(phi), z[k] + along.value, along.slope};
         }
         for (std::size_t k = 0; k < slices; ++k)
-            places.pose[i * slices + k] = slices < 2 ? tooth[k].pose : section(tooth, z[k], r_m);
+            places.pose[i * slices + k] = slices < 2 ? tooth[k].pose : section(tooth, k, z[k], apart, r_m);
     });
     return places;
 }

@@ -24,7 +24,7 @@ struct LoadedShape
 /// (MaterialMotion). Displacements are those of the linear cup, with the second-order part that leaves the stretch of
 /// the neutral curve as it is: with e = (w' - v)^2/(2 r_m) the mean of w falls by that of e, and v' by the rest of e.
 /// The plane of a slice holds those parts of the cup that have moved into it along the axis (u_z), interpolated between
-/// the slices.
+/// the slices, and continued beyond the last one by the cubic through four of them.
 [[nodiscard]] LoadedShape loaded_shape(contact::ContactContext const& context, ElasticDrive const& drive,
                                        Eigen::MatrixXd const& forces);
 
