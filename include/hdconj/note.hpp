@@ -23,7 +23,8 @@ enum class NoteCode
     narrow_space,      ///< tooth space that the wire does not enter
     wall_stress,       ///< bending stress of the ring
     late_mesh,         ///< where along the lobe a tooth leaves the circular spline's tip circle
-    backlash           ///< teeth that press on both flanks without torque
+    backlash,          ///< teeth that press on both flanks without torque
+    teeth_end          ///< a circular spline that reaches beyond the teeth of the assembled cup
 };
 
 /// How grave a note is.
@@ -35,9 +36,9 @@ enum class Severity
 
 /// Words of NoteCode.
 template <>
-inline constexpr std::array<std::string_view, 11> words_of<NoteCode>{
+inline constexpr std::array<std::string_view, 12> words_of<NoteCode>{
     "deformation",  "tooth-difference", "flank-contact", "land",      "tip-land", "undercut",
-    "sharp-corner", "narrow-space",     "wall-stress",   "late-mesh", "backlash"};
+    "sharp-corner", "narrow-space",     "wall-stress",   "late-mesh", "backlash", "teeth-end"};
 /// Words of Severity.
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<Severity>{"information", "warning"};

@@ -123,6 +123,12 @@ BentCupError cup_error(Scene const& scene, elastic::BentCup const& cup, wavegen:
     return elastic::bent_cup_error(cup, *other, z, r_m);
 }
 
+double front_of_teeth(elastic::BentCup const& cup, double r_m)
+{
+    double const face = cup.section().ring_end;
+    return face + cup.axial(face, r_m, 0).u_z - cup.bearing().middle;
+}
+
 wavegen::MaterialDisplacement displacement_at(elastic::BentCup const& cup, double z, double r_m)
 {
     return wavegen::length_kept(cup.displacement(cup.bearing().middle + z, r_m), r_m);

@@ -31,6 +31,10 @@ void validate_cup(Scene const& scene, double inner_radius, Faults& faults);
 [[nodiscard]] BentCupError cup_error(Scene const& scene, elastic::BentCup const& cup,
                                      wavegen::AnyWaveShape const& shape, double r_m, double width, int threads);
 
+/// Height of the front face of the teeth above the middle of the bearing [mm], at the major axis of the bent cup and
+/// the radius @p r_m of its neutral curve.
+[[nodiscard]] double front_of_teeth(elastic::BentCup const& cup, double r_m);
+
 /// Displacements of the slice at @p z of the scene (0 in the middle of the bearing).
 [[nodiscard]] wavegen::MaterialDisplacement displacement_at(elastic::BentCup const& cup, double z, double r_m);
 

@@ -34,6 +34,11 @@ struct UnsolvedPair
 [[nodiscard]] std::optional<Note> backlash(Scene const& scene, double turn, double side_clearance,
                                            std::string const& where);
 
+/// A circular spline whose front end has no tooth beside it, since the cup pulls its open end towards the bottom.
+/// @param front  face of the flexspline's teeth at the major axis, on the assembled cup, above z = 0 [mm]
+/// Domain: a scene with the width of the circular spline.
+[[nodiscard]] std::optional<Note> teeth_end(Scene const& scene, double front);
+
 /// Puts what judge() says of late mesh in @p scene in the place of what @p notes say of it.
 void judge_late_mesh_again(Notes& notes, Scene const& scene);
 

@@ -49,7 +49,9 @@ constexpr std::array limits{
     DesignLimit{NoteCode::late_mesh, "n u/180 deg, u: where a tip leaves the tip circle", "1", at_most(0.9),
                 at_most(0.99), "1: the teeth never part, so that they cannot pass each other at the minor axis"},
     DesignLimit{NoteCode::backlash, "turn between first contacts of both flanks", "arcmin", at_least(0), at_least(0),
-                "below 0 teeth press on both flanks without torque"}};
+                "below 0 teeth press on both flanks without torque"},
+    DesignLimit{NoteCode::teeth_end, "b/2 - z, b: width of the circular spline, z: where the teeth end on the bent cup",
+                "mm", at_most(0), at_most(0), "above 0 a part of the circular spline has no tooth beside it"}};
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "drive/elastic_cup.hpp"
 #include "hdconj/error.hpp"
 #include "judgement/judgement.hpp"
 #include "surface/build_slices.hpp"
@@ -54,6 +55,24 @@ void judge_tilted_tips(Solution& out, Scene const& asked, SurfaceSpec const& spe
     judgement::judge_late_mesh_again(out.judgement, scene);
 }
 
+/// Judges whether the circular spline reaches beyond the teeth of a cup that is known.
+void judge_end_of_teeth(Solution& out, contact::ContactStudyData const& data)
+{
+    elastic::BentCup const* const cup = data.context->cup;
+    if (!cup || data.maker->z().size() < 2)
+        return;
+    double const front = drive::front_of_teeth(*cup, data.context->geometry.r_m);
+    if (auto const note = judgement::teeth_end(data.scene, front))
+        out.judgement.push_back(*note);
+}
+
+/// What is judged of the part of a case alone.
+void judge_part(Solution& out, contact::ContactStudyData const& data, SurfaceSpec const& spec, double tip)
+{
+    judge_tilted_tips(out, data.scene, spec, tip);
+    judge_end_of_teeth(out, data);
+}
+
 }  // namespace
 
 double write_part(Solution& out, contact::ContactStudyData& data, SurfaceSpec const& spec, double tip,
@@ -61,13 +80,13 @@ double write_part(Solution& out, contact::ContactStudyData& data, SurfaceSpec co
 {
     try {
         write_with(out, data, spec, tip, side_clearance);
-        judge_tilted_tips(out, data.scene, spec, tip);
+        judge_part(out, data, spec, tip);
         return side_clearance;
     } catch (NumericalError const& error) {
         if (side_clearance == 0)
             throw;
         write_with(out, data, spec, tip, 0);
-        judge_tilted_tips(out, data.scene, spec, tip);
+        judge_part(out, data, spec, tip);
         out.notes.push_back("the outline is written without side clearance, because with " +
                             short_number(side_clearance) + " mm it cannot be made: " + error.what());
         return 0;

@@ -5,6 +5,16 @@ import { wideTable } from "./design.js";
 import { make } from "./dom.js";
 import { say } from "./texts.js";
 
+/** Rules whose figure is not known before the drive is loaded. */
+const knownUnderLoad = ["backlash", "teeth-end"];
+
+/** What was found of a rule that no note is about.
+ * @param {string} code @param {import("./data.js").Drive} drive */
+function withoutNote(code, drive) {
+  const known = !knownUnderLoad.includes(code) || drive.results.load || drive.results.run;
+  return say(known ? "withinRange" : "notLoaded");
+}
+
 /** @param {(number|null)[]} range @param {string} unit */
 function rangeText(range, unit) {
   const [low, high] = range.map((end) => (end === null ? null : Number(end.toPrecision(3))));
@@ -20,7 +30,7 @@ export function rulesView(limits, drive) {
     const note = drive.judgement.find((each) => each.code === limit.code);
     return { kind: note ? note.severity : undefined, cells: [
       make("span", {}, limit.code, make("small", {}, limit.figure)), rangeText(limit.usual, limit.unit),
-      rangeText(limit.accepted, limit.unit), note ? `${note.severity}: ${note.cause}` : say("withinRange"),
+      rangeText(limit.accepted, limit.unit), note ? `${note.severity}: ${note.cause}` : withoutNote(limit.code, drive),
       limit.source] };
   });
   return make("div", {}, make("p", { class: "note" }, say("rulesNote")), wideTable(say("rules"), head, rows));

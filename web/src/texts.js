@@ -51,6 +51,7 @@ const english = {
     onlyOne: "This report holds one drive.",
   rules: "Design rules", rule: "Rule", usual: "Usual", accepted: "Accepted", found: "This drive", source: "Source",
   any: "any", notAbove: "at most", notBelow: "at least", withinRange: "within the usual range",
+  notLoaded: "not known before hdconj load",
   rulesNote: "What a design is judged by, in the plane z = 0. m: module, z_f and z_c: teeth of flexspline and circular "
     + "spline, n: waves, w0: radial deformation.",
   design: "Against the design rules", standing: "Where it stands", range: "Range of the rule", proposed: "Proposed",
