@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/text.hpp"
+#include "drive/end_shift.hpp"
 #include "hdconj/units.hpp"
 #include "sheet.hpp"
 #include "wishes.hpp"
@@ -196,15 +197,15 @@ void add_spline_rows(Sheet& sheet, DesignWishes const& wishes, ConeNeed const& c
 {
     double const teeth = sheet["L_2"];
     constexpr double share_of_teeth = 7.0 / 8, wider_from = 2, wider_to = 3;
-    // The open end moves by at most 1.84 d_r w_0/(8 L) at the major axis (cups from a fifth of the diameter on).
-    double const pulled_back = 2 * sheet["d_r"] * sheet["m"] / (8 * sheet["L"]);
+    // Cups from a fifth of the diameter on move at most 1.84 times end_shift(); w_0 is about m.
+    double const pulled_back = 2 * drive::end_shift(sheet["d_r"] / 2, sheet["m"], 2, sheet["L"]);
     double const inside = std::min(share_of_teeth * teeth, teeth - 2 * pulled_back);
     sheet.add({"width of the circular spline", "b_g", "", "L_2 + (2 ... 3) mm",
                DesignRange{teeth + wider_from, teeth + wider_to}, rounded(teeth + wider_from), "mm", "thesis (4-5)",
                DesignOrigin::rule, "type-50 has L_2 - 1, against the rule"});
     sheet.add(equation("width of its toothing", "", "circular_spline.width",
                        "7/8 L_2, at most L_2 - d_r m/(2 L), inside the flexspline's teeth", inside,
-                       "type-50; a coned cup pulls its teeth back"));
+                       "type-50; axial movement of bent cups"));
     bool const for_cone = cone.clearance > wishes.clearance;
     sheet.add({"side clearance", "", "circular_spline.backlash_offset",
                for_cone ? "teeth of the coned cup clear over a turn" : "as asked for",

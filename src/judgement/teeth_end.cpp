@@ -14,9 +14,9 @@ std::optional<Note> teeth_end(Scene const& scene, double front)
     if (!note)
         return note;
     note->place = "circular_spline.width";
-    note->cause = "at the major axis the teeth of the assembled cup end at z = " + short_number(front, 3) +
-                  " mm, and the circular spline at " + short_number(half) + " mm: contacts and forces of its last " +
-                  short_number(note->figure, 3) + " mm are computed as if teeth stood there";
+    note->cause = "the bent cup pulls its teeth back: at the major axis they end at z = " + short_number(front, 3) +
+                  " mm, and the circular spline at " + short_number(half) + " mm; contact and force on its last " +
+                  short_number(note->figure, 3) + " mm are computed although no tooth is there";
     constexpr double digits = 100;  // in a millimetre
     std::string const width = short_number(std::floor(digits * 2 * front) / digits);
     note->advice = "write circular_spline.width = " + width + ", or a larger flexspline.cup.tooth_width";

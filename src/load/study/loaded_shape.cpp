@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "conjugate/plane/plane_motion.hpp"
+#include "drive/end_shift.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/motion/material_motion.hpp"
 #include "load/elastic_drive.hpp"
@@ -37,32 +38,33 @@ struct MovedSlice
     double slope = 0;  ///< d place/dphi [mm/rad]
 };
 
-/// Distance between the slices that section() joins, counted in slices. The open end of a cup whose wall keeps all
-/// lengths moves along the axis by u_z = r w_0/(u^2 L). Slices closer to each other than a multiple of that say little
-/// of a section that comes from so far: beyond the last slice, a cubic through them would magnify what forces do to
-/// single slices, the more the closer they are.
+/// Number of slices from one of the four that section() joins to the next. A section comes from a place on the wall
+/// that lies u_z away along the axis. If the four slices were closer together than that, the cubic through them would
+/// have to be continued far beyond the last slice. It would magnify the local deformation that a force makes at its own
+/// slice, the more the finer the slices are. So they are four times end_shift() apart, but at most a quarter of the
+/// width.
 std::size_t slices_apart(contact::ContactContext const& context, std::vector<double> const& z)
 {
     constexpr double multiple = 4;
-    int const waves = context.scene.wave_generator.waves;
-    double const moved =
-        context.geometry.r_m * std::abs(context.shape(0).w) / (waves * waves * context.scene.flexspline.cup->length);
+    double const moved = drive::end_shift(context.geometry.r_m, std::abs(context.shape(0).w),
+                                          context.scene.wave_generator.waves, context.scene.flexspline.cup->length);
     std::size_t const spaces = z.size() - 1, most = std::max<std::size_t>(1, spaces / 4);
     double const wanted = std::round(multiple * moved * static_cast<double>(spaces) / (z.back() - z.front()));
     return std::clamp<std::size_t>(static_cast<std::size_t>(wanted), 1, most);
 }
 
-/// The section of the tooth by the plane of the slice @p k at @p z: by the cubic through this slice and three others
-/// (fewer where there are fewer), @p apart from each other, about the plane, and beyond. Its direction is normal to the
-/// section curve, which turns against the slices' own as SectionPoses says: what u_z changes along phi, the lean of the
-/// wall lifts. Domain: at least two slices, and four times @p apart no more than there are spaces between them, or 1.
+/// The section of the tooth by the plane of the slice @p k at @p z. It lies on the cubic through this slice and three
+/// others on both sides of the plane, @p apart from each other; near the ends, and where there are fewer slices, on
+/// what there is. The tooth stands normal to the section curve. Where u_z changes along phi, that curve turns against
+/// those of the slices, because the wall leans (SectionPoses). Domain: at least two slices; @p apart is 1, or at most a
+/// quarter of the spaces between them.
 Pose section(std::vector<MovedSlice> const& tooth, std::size_t k, double z, std::size_t apart, double r_m)
 {
-    std::size_t const slices = tooth.size(), window = std::min<std::size_t>(4, slices);
-    std::size_t const wanted_below = tooth[k].place <= z ? window / 2 - 1 : window / 2;
+    std::size_t const slices = tooth.size(), window = std::min<std::size_t>(4, slices), others = window - 1;
     std::size_t const room_below = k / apart, room_above = (slices - 1 - k) / apart;
-    std::size_t const needed_below = window - 1 - std::min(room_above, window - 1);
-    std::size_t const first = k - apart * std::min(room_below, std::max(wanted_below, needed_below));
+    std::size_t const usual_below = tooth[k].place <= z ? window / 2 - 1 : window / 2;
+    std::size_t const below = std::clamp(usual_below, others - std::min(room_above, others), room_below);
+    std::size_t const first = k - apart * below;
     std::size_t const end = first + window * apart;
     Pose p{0, 0, Vec2::Zero()};
     Vec2 lean = Vec2::Zero();  // d origin/dz
