@@ -19,7 +19,7 @@ SCENE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "da
 
 
 def cup(program, *settings):
-    """Coning [deg], force [N], gap at the balls [um] and seconds of one cup; settings are those of --set."""
+    """Coning [deg], force [N] and gap at the balls [um] of one cup; settings are those of --set."""
     with tempfile.TemporaryDirectory() as folder:
         command = [program, "export", SCENE, "--vtu", os.path.join(folder, "cup.vtu"), "--steps", "4"]
         for setting in settings:
@@ -27,8 +27,6 @@ def cup(program, *settings):
         done = subprocess.run(command, capture_output=True, text=True)
         if done.returncode != 0:
             sys.exit(done.stderr.strip())
-        with open(os.path.join(folder, "cup.vtu")) as file:
-            stress = re.search(r'Name="von_mises"[^>]*>\s*([^<]*)<', file.read()).group(1)
     coning, force = re.search(
         r"con(?:es by|ing) (\S+)(?: \+- \S+)? degrees.*(?:with|cup) (\S+)(?: \+- \S+)? N", done.stdout
     ).groups()
@@ -37,12 +35,11 @@ def cup(program, *settings):
         "coning": "%.3f" % float(coning),
         "force": "%.0f" % float(force),
         "gap": "%.1f" % float(gap.group(1)) if gap else "0",
-        "stress": "%.0f" % max(map(float, stress.split())),
     }
 
 
-def cup_state(program):
-    """The cup on its wave generator, without torque, each figure with its stated error."""
+def assembled(program, *settings):
+    """The cup on its wave generator, without torque, and the stated error of each figure."""
     with tempfile.TemporaryDirectory() as folder:
         command = [
             program,
@@ -55,10 +52,13 @@ def cup_state(program):
             "--quiet",
             "-o",
             os.path.join(folder, "l.h5"),
-            "--set",
-            "circular_spline.backlash_offset=0.04",
+            *[word for setting in settings for word in ("--set", setting)],
         ]
-        state = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)["load"]["cup"]
+        return json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)["load"]["cup"]
+
+
+def cup_state(program):
+    state = assembled(program, "circular_spline.backlash_offset=0.04")
     head("figure", "value", "+-")
     for key, digits in (
         ("coning_major_deg", 3),
@@ -96,7 +96,7 @@ def held(program):
 
 
 def fillets(program):
-    head("beside the teeth", "circles", "coning [deg]", "force [N]", "largest stress at nodes [MPa]")
+    head("beside the teeth", "circles", "coning [deg]", "force [N]", "largest stress [MPa]", "+-")
     for radius in (None, 0.3, 0.5, 1.0):
         for circles in (13, 49):
             settings = ["bearing.circles=%d" % circles, "bearing.angles=48"]
@@ -107,13 +107,14 @@ def fillets(program):
                     "flexspline.cup.rear_fillet=%g" % radius,
                     "flexspline.cup.front_fillet=%g" % radius,
                 ]
-            found = cup(program, *settings)
+            found, state = cup(program, *settings), assembled(program, *settings)
             row(
                 "ramp of 0.4" if radius is None else "arc of %g" % radius,
                 circles,
                 found["coning"],
                 found["force"],
-                found["stress"],
+                "%.0f" % state["largest_stress_MPa"],
+                "%.0f" % state["error"]["largest_stress_MPa"],
             )
 
 

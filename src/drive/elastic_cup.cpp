@@ -60,8 +60,8 @@ void validate_cup(Scene const& scene, double inner_radius, Faults& faults)
     elastic::Bearing const bearing = bearing_of(scene);
     std::string const origin = scene.flexspline.cup->line > 0 ? "" : "--set";
     try {
-        (void)elastic::section_mesh(
-            section, elastic::contact_mesh_size(section.inner_radius, bearing.width, scene.bearing->circles));
+        (void)elastic::section_mesh(section,
+                                    elastic::contact_mesh_size(section, bearing.width, scene.bearing->circles));
     } catch (NumericalError const& error) {
         faults.push_back({"flexspline.cup", scene.flexspline.cup->line, "", error.what(),
                           "write dimensions that fit together", origin});

@@ -18,8 +18,7 @@ BentCup::BentCup(CupSection const& section, Bearing const& bearing, CamSeries co
     : section_(section),
       bearing_(bearing),
       cam_(cam),
-      solid_(section_mesh(section,
-                          in_layers(contact_mesh_size(section.inner_radius, bearing.width, circles), section, layers))),
+      solid_(section_mesh(section, in_layers(contact_mesh_size(section, bearing.width, circles), section, layers))),
       contact_(solve_wave_generator(solid_, section.inner_radius, bearing, cam, circles, {}, threads)),
       field_(harmonic_field(*contact_.unit, contact_.load_cosine, contact_.load_sine, threads))
 {

@@ -182,18 +182,31 @@ Eigen::MatrixXd recovered_stress(SectionMesh const& mesh, HarmonicField const& f
     return result.transpose();
 }
 
-StressPeak stress_peak(SectionMesh const& mesh, HarmonicField const& field, std::vector<double> const& phi, int threads)
+StressPeak stress_peak(SectionMesh const& mesh, HarmonicField const& field, std::vector<double> const& phi,
+                       Seat const& seat, int threads)
 {
     double const g = std::sqrt(1.0 / 3);
     std::vector<Vec2> const places{{-1, -g}, {1, -g}, {-1, g}, {1, g}};
     Eigen::MatrixXd const all = recovered_stress(mesh, field, places, phi, threads);
-    if (all.size() == 0)
-        return {};
-    Index row = 0, angle = 0;
-    double const largest = all.maxCoeff(&row, &angle);
-    auto const point = static_cast<std::size_t>(row);
-    Vec2 const& at = places[point % places.size()];
-    return {largest, {point / places.size(), at.x(), at.y()}, phi[static_cast<std::size_t>(angle)]};
+    auto const counts = [&](SectionPoint const& point) {
+        if (point.element >= mesh.wall_elements())
+            return true;
+        auto const layers = static_cast<std::size_t>(mesh.layers);
+        if (point.xi > 0)
+            return point.element % layers + 1 == layers;
+        return point.element % layers == 0 && !seat.covers(position(mesh, point).y());
+    };
+    StressPeak peak;
+    for (Index row = 0; row < all.rows(); ++row) {
+        auto const point = static_cast<std::size_t>(row);
+        Vec2 const& at = places[point % places.size()];
+        SectionPoint const place{point / places.size(), at.x(), at.y()};
+        Index angle = 0;
+        double const largest = all.row(row).maxCoeff(&angle);
+        if (largest > peak.stress && counts(place))
+            peak = {largest, place, phi[static_cast<std::size_t>(angle)]};
+    }
+    return peak;
 }
 
 }  // namespace hdconj::elastic

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <vector>
 
 #include "influence.hpp"
@@ -75,8 +76,19 @@ struct StressPeak
     double phi = 0;        ///< [rad]
 };
 
-/// Largest of recovered_stress() where elements end across the wall, at the Gauss points along it.
+/// Heights between which a ring stands on the inner surface, and where its edges stop to raise the stress [mm].
+struct Seat
+{
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+
+    [[nodiscard]] bool covers(double z) const { return z > low && z < high; }
+};
+
+/// Largest of recovered_stress() on the surfaces of wall and layer of teeth, at the Gauss points along them.
+/// @param seat  here the inner surface does not count: under an edge that presses on it stress grows without limit
+///              with finer elements, while on the outer surface, opposite to it, it converges
 [[nodiscard]] StressPeak stress_peak(SectionMesh const& mesh, HarmonicField const& field,
-                                     std::vector<double> const& phi, int threads = 1);
+                                     std::vector<double> const& phi, Seat const& seat = {}, int threads = 1);
 
 }  // namespace hdconj::elastic

@@ -46,20 +46,25 @@ void add_part(SectionRows& rows, double length, double longest, std::function<Ac
         rows.lines.push_back(at(i / (2.0 * count)));
 }
 
+/// Elements across a wall, no thicker than @p thickest [mm], but for the slack.
+int layers_across(double wall, double thickest)
+{
+    constexpr double most = 200;
+    double const wanted = std::ceil(wall / thickest - slack);
+    require(wanted <= most, "mesh", "more than 200 elements across the wall: the mesh is too fine for its thickness");
+    return std::max(1, static_cast<int>(wanted));
+}
+
 /// Elements between the lines, no thicker than @p thickest [mm], but for the slack.
 SectionMesh mesh_of(SectionRows const& rows, Elasticity const& material, double thickest)
 {
-    constexpr double most_layers = 200;
     double wall = 0;
     for (Across const& line : rows.lines)
         wall = std::max(wall, (line.outer - line.inner).norm());
-    double const wanted = std::ceil(wall / thickest - slack);
-    require(wanted <= most_layers, "mesh",
-            "more than 200 elements across the wall: the mesh is too fine for its thickness");
     SectionMesh mesh;
     mesh.material = material;
     mesh.straight = rows.straight;
-    mesh.layers = std::max(1, static_cast<int>(wanted));
+    mesh.layers = layers_across(wall, thickest);
     int const layers = mesh.layers;
     // Lines between elements have corners and middles, those through the middles of elements corners only.
     for (std::size_t i = 0; i < rows.lines.size(); ++i) {
@@ -277,12 +282,14 @@ SectionPoint wall_point(SectionMesh const& mesh, double z, double depth)
             std::clamp(2 * (z - bottom) / (top - bottom) - 1, -1.0, 1.0)};
 }
 
-MeshSize contact_mesh_size(double inner_radius, double bearing_width, int across)
+MeshSize contact_mesh_size(CupSection const& section, double bearing_width, int across)
 {
-    MeshSize size = mesh_size(inner_radius);
-    if (bearing_width > 0 && across > 1)
-        size.along = std::min(size.along, 1.5 * bearing_width / (across - 1));
-    return size;
+    MeshSize const standard = mesh_size(section.inner_radius);
+    if (bearing_width <= 0 || across < 2)
+        return standard;
+    double const along = std::min(standard.along, 1.5 * bearing_width / (across - 1)),
+                 wall = std::max({section.wall, section.ring_wall, section.bottom});
+    return {along, wall / layers_across(wall, standard.across) * along / standard.along};
 }
 
 MeshSize in_layers(MeshSize size, CupSection const& section, int layers)

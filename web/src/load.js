@@ -116,7 +116,8 @@ function cupSection(load, index) {
   const cells = column(shape, "cells"), phi = column(shape, "phi");
   if (!stress.length) return null;
   const kept = shape && shape.datasets && shape.datasets.stress.every ? shape.datasets.stress.every[1] : 1;
-  const rows = stress.length / r.length, largest = stress.reduce((a, b) => Math.max(a, b), 0);
+  const rows = stress.length / r.length, seat = new Set(column(shape, "seat")); // not determined there
+  const largest = stress.reduce((a, b, i) => seat.has(i % r.length) ? a : Math.max(a, b), 0);
   const canvas = make("canvas", { "class": "section", "role": "img", "aria-label": say("stress"), "width": 960,
     "height": 640 });
   const ctx = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
@@ -135,7 +136,7 @@ function cupSection(load, index) {
         const n = cells[c + i];
         ctx.lineTo(20 + (z[n] - lowZ) * scale, 620 - (r[n] - lowR) * scale);
         sum += stress[row * r.length + n] / 4;
-        most = Math.max(most, stress[row * r.length + n]);
+        if (!seat.has(n)) most = Math.max(most, stress[row * r.length + n]);
       }
       ctx.closePath();
       ctx.fillStyle = ctx.strokeStyle = strong(sum / largest);

@@ -204,8 +204,7 @@ void write_shape(Writer const& place, CupShape const& shape)
     layout::Dims const dims = {"phi", "node"};
     place.numbers("r", shape.r, {"mm", "radius of the nodes of the section", {"node"}});
     write_checked(place, "z", {shape.r.size()}, shape.z, {"mm", "height of the nodes of the section", {"node"}});
-    auto const corners = four_corners(shape.cells);
-    place.array("cells", {shape.cells.size(), 4}, corners.data(),
+    place.array("cells", {shape.cells.size(), 4}, four_corners(shape.cells).data(),
                 {"1", "nodes at the corners of an element, counter-clockwise", {"cell", "corner"}});
     place.numbers("phi", shape.phi, {"rad", "angles, clockwise from the major axis", {"phi"}});
     write_checked(place, "u_r", size, shape.u_r, {"mm", "radial displacement", dims, Owner::result});
@@ -213,6 +212,7 @@ void write_shape(Writer const& place, CupShape const& shape)
     write_checked(place, "u_z", size, shape.u_z, {"mm", "axial displacement", dims, Owner::result});
     if (!shape.stress.empty())
         write_checked(place, "stress", size, shape.stress, {"MPa", "von Mises stress", dims, Owner::result});
+    place.integers("seat", shape.seat, {"1", "nodes at the bearing, whose stress is not determined", {"seat"}});
 }
 
 void write_teeth(Writer const& place, LoadedTeeth const& teeth)

@@ -33,7 +33,7 @@ LoadStudy load_with_all(int balls)
     LoadStudy study;
     study.solution = solution_with_all();
     study.balls = balls;
-    study.shape = {{0}, {0}, {{0, 0, 0}}, {0}, {0}, {0}, {0}, {0}};
+    study.shape = {{0}, {0}, {{0, 0, 0}}, {0}, {0}, {0}, {0}, {0}, {0}};
     study.cup.estimated = true;
     study.teeth = {0, {0}, {0}, {Vec2::Zero()}, {0}};
     study.pitch_errors = {{0}, {0}};

@@ -122,7 +122,7 @@ AssembledCup assembled_cup(contact::ContactContext const& context, AssembledDriv
     CupStress const stress =
         cup_stress(assembled.model, cup_field(assembled.model, unloaded.forces, context.threads), context.threads);
     cup.largest_stress = stress.peak.stress;
-    cup.largest_stress_error = stress.at_corners;
+    cup.largest_stress_error = stress.unresolved;
     return cup;
 }
 

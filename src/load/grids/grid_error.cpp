@@ -177,10 +177,10 @@ int count_error(int fine, std::span<int const> coarser, int sectors)
     return std::max(sectors, 2 * std::max(next, before));
 }
 
-double stress_error(double fine, std::span<double const> coarser, double at_corners, double safety)
+double stress_error(double fine, std::span<double const> coarser, double unresolved, double safety)
 {
     constexpr double part = 0.5, least = 0.08;
-    return std::max(part * (safety * grid_difference(fine, coarser) + at_corners), least * fine);
+    return std::max(part * (safety * grid_difference(fine, coarser) + unresolved), least * fine);
 }
 
 void estimate_errors(contact::ContactContext const& context, DriveGrids const& drives, AssembledCup& cup)

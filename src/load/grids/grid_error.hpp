@@ -59,9 +59,9 @@ void estimate_errors(contact::ContactContext const& context, DriveGrids const& d
                                                                     TorqueBranch const& branch,
                                                                     std::vector<CoarseBranch> const& coarser);
 
-/// Error of the largest stress from its values on all grids and from the corners of its side of an element. All in MPa.
-/// Half of their sum, and no less than 8 % of the stress, since the grids have elements of the same length: 24 random
-/// drives and three with fillets were within 0.95 of it of a grid with four times the slices and twice the circles.
-[[nodiscard]] double stress_error(double fine, std::span<double const> coarser, double at_corners, double safety);
+/// Error of the largest stress from its values on all grids and from CupStress::unresolved. All in MPa. Half of their
+/// sum, and no less than 8 % of the stress, since the grids have elements of the same length: 34 drives, 16 of them
+/// designed, 18 like type-50, are within it of a grid with four times the slices and elements a quarter as large.
+[[nodiscard]] double stress_error(double fine, std::span<double const> coarser, double unresolved, double safety);
 
 }  // namespace hdconj::load

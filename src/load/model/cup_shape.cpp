@@ -10,10 +10,28 @@
 namespace hdconj::load {
 namespace {
 
+/// The bearing's seat in the cup, and one wall beside its edges.
+elastic::Seat seat_of_bearing(LoadModel const& model)
+{
+    std::vector<double> const& z = model.drive.bearing_z;
+    double const wall = std::max(model.section.wall, model.section.ring_wall);
+    return {model.middle + z.front() - wall, model.middle + z.back() + wall};
+}
+
+/// Whether the wall changes at the height @p z above the cup's bottom by a ramp, which has sharp corners.
+bool at_ramp(elastic::CupSection const& cup, double z)
+{
+    double const wall = std::min(cup.wall, cup.ring_wall);
+    bool const rear = cup.rear_fillet == 0 && z > cup.ring_begin - cup.rear_ramp - wall && z < cup.ring_begin,
+               front = cup.front_fillet == 0 && z > cup.ring_end && z < cup.ring_end + cup.front_ramp + wall;
+    return cup.wall != cup.ring_wall && (rear || front);
+}
+
 /// Enters the corners of the elements as nodes. @returns where each of them stands in the mesh
 std::vector<elastic::SectionPoint> enter_section(LoadModel const& model, CupShape& shape)
 {
     elastic::SectionMesh const& mesh = model.solid.mesh();
+    elastic::Seat const seat = seat_of_bearing(model);
     std::vector<int> number(mesh.nodes.size(), -1);
     std::vector<elastic::SectionPoint> places;
     constexpr double xi[] = {-1, 1, 1, -1}, eta[] = {-1, -1, 1, 1};
@@ -26,6 +44,9 @@ std::vector<elastic::SectionPoint> enter_section(LoadModel const& model, CupShap
                 shape.r.push_back(mesh.nodes[node].x());
                 shape.z.push_back(mesh.nodes[node].y() - model.middle);
                 places.push_back({e, xi[c], eta[c]});
+                bool const inside = e < mesh.wall_elements() && e % static_cast<std::size_t>(mesh.layers) == 0;
+                if (inside && xi[c] < 0 && seat.covers(mesh.nodes[node].y()))
+                    shape.seat.push_back(number[node]);
             }
             cell.push_back(number[node]);
         }
@@ -102,10 +123,11 @@ CupShape cup_shape(LoadModel const& model, elastic::HarmonicField const& field, 
 CupStress cup_stress(LoadModel const& model, elastic::HarmonicField const& field, int threads)
 {
     constexpr int angles = 90;
+    constexpr double sharp = 0.5;  // elements a quarter as large give up to a quarter more, smaller ones still more
     elastic::SectionMesh const& mesh = model.solid.mesh();
     CupStress result;
-    result.peak =
-        elastic::stress_peak(mesh, field, elastic::even_angles(angles, model.drive.response->sectors()), threads);
+    result.peak = elastic::stress_peak(mesh, field, elastic::even_angles(angles, model.drive.response->sectors()),
+                                       seat_of_bearing(model), threads);
     if (!(result.peak.stress > 0))
         return result;
     result.at = elastic::position(mesh, result.peak.place);
@@ -113,7 +135,9 @@ CupStress cup_stress(LoadModel const& model, elastic::HarmonicField const& field
     Eigen::MatrixXd const corners =
         elastic::recovered_stress(mesh, field, {{side, -1}, {side, 1}}, {result.peak.phi}, threads);
     auto const first = 2 * static_cast<Eigen::Index>(result.peak.place.element);
-    result.at_corners = std::max(0.0, corners.middleRows<2>(first).maxCoeff() - result.peak.stress);
+    result.unresolved = std::max(0.0, corners.middleRows<2>(first).maxCoeff() - result.peak.stress);
+    if (at_ramp(model.section, result.at.y()))
+        result.unresolved = std::max(result.unresolved, sharp * result.peak.stress);
     return result;
 }
 

@@ -16,12 +16,14 @@ namespace hdconj::load {
 /// The cup at 180 angles as it is drawn; the stress at a corner is the mean of the elements around it.
 [[nodiscard]] CupShape cup_shape(LoadModel const& model, elastic::HarmonicField const& field, int threads);
 
-/// The largest von Mises stress of the cup, on its surface.
+/// The largest von Mises stress of the cup on its surfaces, but for the inner one under the bearing and one wall beside
+/// it: under the bearing's edges stress grows without limit with finer elements.
 struct CupStress
 {
     elastic::StressPeak peak;  ///< at 90 angles of a sector [MPa]
     Vec2 at = Vec2::Zero();    ///< (r, z) [mm]
-    double at_corners = 0;     ///< by how much the corners of that side of the element exceed it, at least 0 [MPa]
+    double unresolved = 0;     ///< by how much the corners of that side of the element exceed it, and no less than half
+                               ///< of it at a ramp, in whose sharp corners it grows without limit [MPa]
 };
 [[nodiscard]] CupStress cup_stress(LoadModel const& model, elastic::HarmonicField const& field, int threads);
 

@@ -131,8 +131,7 @@ LoadModel load_model(contact::ContactContext const& context, LoadGrid const& res
     elastic::CupSection const section = drive::cup_section(scene, context.geometry.flexspline_inner_radius);
     PlacedBearing const placed = placed_bearing(context, resolution.circles, around);
     double const middle = placed.bearing.middle;
-    elastic::MeshSize const size =
-        elastic::contact_mesh_size(section.inner_radius, placed.bearing.width, resolution.circles);
+    elastic::MeshSize const size = elastic::contact_mesh_size(section, placed.bearing.width, resolution.circles);
     elastic::FourierSolid solid(elastic::section_mesh(section, elastic::in_layers(size, section, resolution.layers)));
 
     std::vector<double> z;
@@ -173,7 +172,7 @@ LoadModel load_model(contact::ContactContext const& context, LoadGrid const& res
     drive.bearing_compliance = drive.between_balls
                                    ? made()
                                    : *elastic::kept_or_made<std::shared_ptr<Eigen::MatrixXd const>>(with_bearing, made);
-    return {std::move(solid), std::move(unit), context.geometry.r_m, middle, std::move(drive)};
+    return {std::move(solid), std::move(unit), context.geometry.r_m, middle, section, std::move(drive)};
 }
 
 ElasticDrive drive_at(LoadModel const& model, contact::ContactContext const& context, LoadGrid const& resolution,

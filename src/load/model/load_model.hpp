@@ -7,6 +7,7 @@
 
 #include "contact/study/contact_context.hpp"
 #include "elastic/harmonic_field.hpp"
+#include "elastic/section_mesh.hpp"
 #include "load/elastic_drive.hpp"
 
 namespace hdconj::load {
@@ -18,6 +19,7 @@ struct LoadModel
     std::shared_ptr<elastic::UnitFields const> unit;  ///< of the drive's stations but for the turns
     double radius;                                    ///< at which turns are taken [mm]
     double middle;                                    ///< of the bearing above the cup's bottom [mm]
+    elastic::CupSection section;
     ElasticDrive drive;
 };
 

@@ -158,7 +158,7 @@ void enter_stress(contact::ContactContext const& context, DriveGrids const& driv
         others.push_back(cup_stress(coarse, other, context.threads).peak.stress);
     }
     result.error.largest_stress =
-        stress_error(stress.peak.stress, others, stress.at_corners, grid_safety(model.drive.slice_z.size()));
+        stress_error(stress.peak.stress, others, stress.unresolved, grid_safety(model.drive.slice_z.size()));
     result.curve_error[result.rated]->largest_stress = result.error.largest_stress;
 }
 

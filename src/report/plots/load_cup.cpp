@@ -90,13 +90,17 @@ std::vector<double> worst_stress(CupShape const& shape)
     return worst;
 }
 
-/// The corner of an element where it is largest: what is drawn is what is named.
+/// The corner of an element where it is largest and determined: what is drawn is what is named.
 std::size_t worst_corner(CupShape const& shape, std::vector<double> const& worst)
 {
+    std::vector<bool> named(worst.size(), true);
+    for (int const node : shape.seat)
+        named[static_cast<std::size_t>(node)] = false;
     auto place = static_cast<std::size_t>(shape.cells.front().front());
     for (auto const& cell : shape.cells) {
         for (int const node : cell)
-            place = worst[static_cast<std::size_t>(node)] > worst[place] ? static_cast<std::size_t>(node) : place;
+            if (auto const n = static_cast<std::size_t>(node); named[n] && worst[n] > worst[place])
+                place = n;
     }
     return place;
 }

@@ -71,7 +71,8 @@ void write_load_setting(Page& page, LoadStudy const& study)
     if (study.ball_constant > 0)
         page.figure(of_study["ball_constant"], study, "k of F = k d^1.5, both grooves");
     if (cup.largest_stress > 0)
-        line("largest_stress", rows["largest_stress"].text.label, "von Mises, on the surface");
+        line("largest_stress", rows["largest_stress"].text.label,
+             "von Mises, on the surface, but not under the bearing");
     Told const whole(of_study, study);
     page.figure(of_study["edge_radius"], study, "radius under load");
     write_deviations(page, study.solution.scene);

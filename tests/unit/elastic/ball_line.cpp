@@ -41,7 +41,7 @@ elastic::CamSeries cosine_series(int angles, bool even = true, double turned = 0
 
 elastic::WaveGeneratorContact solved_on_wall(elastic::Bearing const& bearing, elastic::CamSeries const& cam)
 {
-    elastic::FourierSolid const cup(elastic::section_mesh({}, elastic::contact_mesh_size(24, bearing.width, across)));
+    elastic::FourierSolid const cup(elastic::section_mesh({}, elastic::contact_mesh_size({}, bearing.width, across)));
     return elastic::solve_wave_generator(cup, inner_radius, bearing, cam, across,
                                          {elastic::wall_station(cup.mesh(), 9, 0, elastic::Direction::radial)});
 }
@@ -82,7 +82,7 @@ TEST_CASE("a loose ring is that of balls as contacts of a free ring", "[balls]")
         auto const contact = solved_on_wall(bearing, cosine_series(angles));
         double const apart = bearing.width / (across - 1);
         elastic::FourierSolid const cup(
-            elastic::section_mesh({}, elastic::contact_mesh_size(24, bearing.width, across)));
+            elastic::section_mesh({}, elastic::contact_mesh_size({}, bearing.width, across)));
         std::vector<elastic::InfluencePoint> wall;
         for (double const phi : contact.phi)
             for (std::size_t j = 0; j < contact.z.size(); ++j)

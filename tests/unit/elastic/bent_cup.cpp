@@ -133,7 +133,7 @@ TEST_CASE("the peak of the stress and the same bits for any number of threads", 
     std::vector<double> phi;
     for (int i = 0; i <= 24; ++i)
         phi.push_back(pi / 2 * i / 24);
-    elastic::StressPeak const peak = elastic::stress_peak(cup.solid().mesh(), cup.field(), phi, 1);
+    elastic::StressPeak const peak = elastic::stress_peak(cup.solid().mesh(), cup.field(), phi);
     // at the ramp behind the teeth, as in the finite-element study
     CHECK(elastic::position(cup.solid().mesh(), peak.place).y() == Approx(4.6).margin(0.2));
     CHECK(elastic::recovered_stress(cup.solid().mesh(), cup.field(), {{1, 0}}, phi, 1) ==

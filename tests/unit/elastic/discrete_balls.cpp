@@ -46,7 +46,7 @@ elastic::CamSeries cam(int sectors)
 struct Drive
 {
     int sectors;
-    elastic::FourierSolid cup{elastic::section_mesh({}, elastic::contact_mesh_size(24, ring(0).width, 3))};
+    elastic::FourierSolid cup{elastic::section_mesh({}, elastic::contact_mesh_size({}, ring(0).width, 3))};
     std::vector<double> z{6, 9, 12};
     elastic::BearingSurface surface;
     elastic::BearingContacts contacts;

@@ -45,7 +45,7 @@ std::vector<double> cosine_cam(int angles, double shifted = 0)
 elastic::WaveGeneratorContact solved(elastic::Bearing const& bearing, elastic::CamSeries const& cam, int across = 13,
                                      int threads = 1)
 {
-    elastic::FourierSolid const cup(elastic::section_mesh({}, elastic::contact_mesh_size(24, bearing.width, across)));
+    elastic::FourierSolid const cup(elastic::section_mesh({}, elastic::contact_mesh_size({}, bearing.width, across)));
     std::vector<elastic::Station> stations;
     for (int i = 0; i < band; ++i)
         stations.push_back(wall_station(cup.mesh(), 5 + 0.25 * i, 0, elastic::Direction::radial));
