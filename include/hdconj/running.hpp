@@ -116,11 +116,14 @@ struct RunStudy
     bool elastic = false;      ///< the cup is elastic and carries a torque; false: the shape that the scene prescribes
     double torque = 0;         ///< the largest, on the output [N mm]
     double spline_torque = 0;  ///< the same on the circular spline, as `load` counts it [N mm]
-    double backlash_offset = 0;          ///< side clearance of the flanks [mm]
-    double side_clearance = 0;           ///< that the outline of `solution` includes, as in ContactStudy [mm]
-    std::vector<RunSequence> sequences;  ///< in order of span, without torque first
-    std::optional<RunLosses> losses;     ///< with [friction] only
-    std::vector<std::string> missing;    ///< positions and torques without a result, each with its cause
+    double backlash_offset = 0;             ///< side clearance of the flanks [mm]
+    double tip = 0;                         ///< tip circle at z = 0 [mm]
+    double tip_radius_increase = 0;         ///< how much wider it is than the scene gives, so that teeth clear [mm]
+    bool side_clearance_increased = false;  ///< the side clearance is larger than the scene gives
+    double side_clearance = 0;              ///< that the outline of `solution` includes, as in ContactStudy [mm]
+    std::vector<RunSequence> sequences;     ///< in order of span, without torque first
+    std::optional<RunLosses> losses;        ///< with [friction] only
+    std::vector<std::string> missing;       ///< positions and torques without a result, each with its cause
 };
 
 /// What is asked beside the scene. What is left out the scene says.

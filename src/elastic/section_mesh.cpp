@@ -64,8 +64,7 @@ SectionMesh mesh_of(SectionRows const& rows, Elasticity const& material, double 
     SectionMesh mesh;
     mesh.material = material;
     mesh.straight = rows.straight;
-    mesh.layers = layers_across(wall, thickest);
-    int const layers = mesh.layers;
+    int const layers = mesh.layers = layers_across(wall, thickest);
     // Lines between elements have corners and middles, those through the middles of elements corners only.
     for (std::size_t i = 0; i < rows.lines.size(); ++i) {
         Across const& line = rows.lines[i];
@@ -190,11 +189,9 @@ void add_outer_layer(SectionMesh& mesh, double low, double high, double height, 
     mesh.outer = OuterLayer{mesh.elements.size(), stress};
     int const steps = std::max(1, static_cast<int>(std::ceil(height / thickest - rounding)));
     for (int step = 0; step < steps; ++step) {
-        std::vector<int> top;
-        std::vector<int> between;  // of lines between elements only
+        std::vector<int> top, between;  // the latter of lines between elements only
         for (std::size_t i = 0; i < base.size(); ++i) {
-            Vec2 const foot = at(base[i]);
-            Vec2 const out(height / steps, 0);
+            Vec2 const foot = at(base[i]), out(height / steps, 0);
             if (i % 2 == 0) {
                 between.push_back(static_cast<int>(mesh.nodes.size()));
                 mesh.nodes.push_back(foot + out / 2);

@@ -205,8 +205,7 @@ Rows<LoadCase> load_case_figures()
         figure<&T::backlash_offset>("backlash_offset", um, "side clearance", {"offset", fixed<2>}),
         figure<&T::tip>("tip_radius", mm, "tip circle at z = 0", {"tip circle", decimals<6>}),
         figure<&T::tip_radius_increase>("tip_radius_increase", um,
-                                        "how much wider the tip circle is than the surface's own",
-                                        {"wider", decimals<2>})
+                                        "how much wider the tip circle is than the scene gives", {"wider", decimals<2>})
             .formerly("tip_change"),
         pair<&T::backlash, &T::backlash_error>("backlash", arcmin, "backlash without torque")
             .without(hdf5_error | json_error)  // with the estimates of the case

@@ -73,7 +73,13 @@ Rows<RunStudy> run_study_figures()
         figure<&T::spline_torque>("spline_torque", newton_metre, "the same on the circular spline",
                                   {"on the circular spline", significant<5>}),
         figure<&T::backlash_offset>("backlash_offset", um, "side clearance of the flanks",
-                                    {"side clearance", fixed<2>})};
+                                    {"side clearance", fixed<2>}),
+        figure<&T::side_clearance_increased>("side_clearance_increased", one,
+                                             "whether this is more than the scene gives"),
+        figure<&T::tip>("tip_radius", mm, "tip circle at z = 0", {"tip circle", decimals<6>}),
+        figure<&T::tip_radius_increase>("tip_radius_increase", um,
+                                        "how much wider the tip circle is than the scene gives",
+                                        {"wider", decimals<2>})};
     return Rows<T>(rows);
 }
 

@@ -178,6 +178,8 @@ ContactStudy study_contact(Scene const& scene, ContactOptions const& options, St
     study.contact_gap = context.request.gap;
     study.pitch_radius = scene.drive.module * scene.drive.flexspline_teeth / 2;
     StudiedSurfaces surfaces = add_cases(study, context, wanted, options.revolution, steps);
+    std::vector<std::string> const impossible = contact::impossible_choices(options);
+    surfaces.missing.insert(surfaces.missing.begin(), impossible.begin(), impossible.end());
     // an end of the interval that is searched need not make a surface
     if (!options.best) {
         if (study.cases.empty())

@@ -119,6 +119,21 @@ struct LeastPlay
     }
 };
 
+/// Enters how the teeth of the circular spline are made, and writes that part.
+void enter_part(contact::ContactStudyData& data, surface::SurfaceSpec const& spec, double tip, double offset,
+                RunStudy& study)
+{
+    contact::ContactContext const& context = *data.context;
+    study.backlash_offset = offset;
+    study.tip = tip;
+    if (!context.scene.circular_spline.automatic_backlash) {
+        double const wider = tip - data.middle.geometry.circular_spline_inner_radius, length = context.tolerance.length;
+        study.side_clearance_increased = offset > contact::given_clearance(context.scene) + length;
+        study.tip_radius_increase = wider > length ? wider : 0;
+    }
+    study.side_clearance = pipeline::write_part(study.solution, data, spec, tip, offset);
+}
+
 /// Adds a sequence that has positions.
 void add(RunSequence sequence, RunStudy& study)
 {
@@ -131,8 +146,7 @@ void run_prescribed(contact::ContactStudyData& data, running::RunTask const& tas
                     surface::SurfaceSpec const& spec, RunStudy& study)
 {
     contact::ContactContext const& context = *data.context;
-    contact::FlankSurface const surface = contact::flank_surface(context, spec);
-    study.backlash_offset = surface.offset;
+    contact::FlankSurface const surface = contact::used_surface(context, spec);
     LeastPlay least;
     auto const turn_at = [&](double pitches) {
         return least.enter(running::first_contact(context, surface.grid, task.motion, pitches), pitches);
@@ -143,7 +157,7 @@ void run_prescribed(contact::ContactStudyData& data, running::RunTask const& tas
         running::add_shape_error(sequence, angle);
         add(std::move(sequence), study);
     }
-    study.side_clearance = pipeline::write_part(study.solution, data, spec, surface.tip, surface.offset);
+    enter_part(data, spec, surface.tip, surface.offset, study);
     least.judge(context.scene, study);
 }
 
@@ -195,7 +209,6 @@ void run_elastic(contact::ContactStudyData& data, running::RunTask const& task, 
         return load::AssembledDrive{grid, std::move(model), std::move(unloaded)};
     });
     load::SurfaceWithPlay const assembled = load::surface_with_play(context, fine, spec);
-    study.backlash_offset = assembled.surface.offset;
     contact::FlankGrid const& flanks = assembled.surface.grid;
     double const middle = load::middle_of(assembled.play);
     running::TurningDrive const drive(context, fine, flanks, task.motion, middle);
@@ -222,8 +235,7 @@ void run_elastic(contact::ContactStudyData& data, running::RunTask const& task, 
         if (!runs.empty())
             study.losses = running::run_losses(losses, task, runs, others, drives.safety);
     });
-    study.side_clearance =
-        pipeline::write_part(study.solution, data, spec, assembled.surface.tip, assembled.surface.offset);
+    enter_part(data, spec, assembled.surface.tip, assembled.surface.offset, study);
     least.judge(context.scene, study);
 }
 

@@ -218,6 +218,38 @@ TEST_CASE("a drive that is its own mirror image is solved for one sign of torque
     }
 }
 
+TEST_CASE("the stiffness at the rated torque does not depend on the other torques", "[load]")
+{
+    auto const rated = [](int points, bool curve) {
+        LoadOptions options;
+        options.errors = false;
+        options.curve = curve;
+        if (points > 0)
+            options.points = points;
+        LoadCase const found = study_load(quick(), options).cases.at(0);
+        return found.curve.at(found.rated).stiffness;
+    };
+    double const alone = rated(0, false);
+    for (int const points : {0, 1, 2, 5})
+        CHECK(rated(points, true) == Approx(alone).epsilon(1e-3));
+}
+
+TEST_CASE("a widened tip circle is told against that of the scene, and no draft of slices is left out in silence",
+          "[load]")
+{
+    LoadOptions options;
+    options.errors = options.curve = false;
+    options.surfaces = {ToothSurface::tilted, ToothSurface::per_slice};
+    options.kinds = {TiltKind::radial, TiltKind::draft};
+    LoadStudy const study = study_load(quick({"circular_spline.inner_radius=25.08"}), options);
+    REQUIRE(study.cases.size() == 3);
+    for (LoadCase const& each : study.cases)
+        CHECK(each.tip_radius_increase == Approx(each.tip - 25.08).margin(1e-9));
+    CHECK(study.cases.back().tip_radius_increase > 0);
+    REQUIRE(study.missing.size() == 1);
+    CHECK_THAT(study.missing.front(), ContainsSubstring("a draft needs one outline"));
+}
+
 TEST_CASE("stiffness and lost motion of a catalogue are those of the curve's own torques", "[load]")
 {
     LoadOptions options;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hdconj/contact.hpp"
 #include "hdconj/load.hpp"
 #include "hdconj/read_scene.hpp"
 #include "hdconj/running.hpp"
@@ -92,6 +93,34 @@ TEST_CASE("a conjugate pair without errors in one plane has no transmission erro
         CHECK(found.peak_to_peak < 2 * 1e-6 / pitch_radius);  // the tolerance of the flanks
         CHECK(found.peak_to_peak_error > 0);
     }
+}
+
+TEST_CASE("a coned drive runs with the teeth that contact finds to clear, and says so", "[running]")
+{
+    std::string const file = HDCONJ_SOURCE_DIR "/data/scenes/type-50-coned.toml";
+    Keys const keys{"slices.surface=tilted", "slices.count=5", "contact.flank_points=60"};
+    auto const run = [&](Keys more) {
+        more.insert(more.begin(), keys.begin(), keys.end());
+        RunOptions options;
+        options.torque = 0;
+        options.positions = 8;
+        return study_run(read_scene(file, more), options);
+    };
+    RunStudy const given = run({}), automatic = run({"circular_spline.backlash_offset=auto"});
+    ContactCase const contact = study_contact(read_scene(file, keys)).cases.front();
+    CHECK(given.side_clearance_increased);
+    CHECK(given.backlash_offset == Approx(contact.backlash_offset));
+    CHECK(given.tip_radius_increase == Approx(contact.least_tip_radius - 25.025));
+    CHECK_FALSE(automatic.side_clearance_increased);
+    CHECK(automatic.tip_radius_increase == 0);
+    // teeth that enter each other would jump from one contact to the next by 56 arcsec
+    double const arcsec = pi / 180 / 3600, far = given.sequences.front().peak_to_peak;
+    CHECK(far < 2 * arcsec);
+    CHECK(far == Approx(automatic.sequences.front().peak_to_peak).margin(1e-3 * arcsec));
+    RunStudy const wide = run({"circular_spline.backlash_offset=0.08", "circular_spline.inner_radius=25.15"});
+    CHECK_FALSE(wide.side_clearance_increased);
+    CHECK(wide.tip_radius_increase == 0);
+    CHECK(wide.backlash_offset == 0.08);
 }
 
 TEST_CASE("the first contact is the least of gap and displacement over all pairs", "[running]")

@@ -247,7 +247,9 @@ class _Reader:
         """What the scene's schema says of the base scene and of the ends of all that varies."""
         own = set(scene.check())
         for fault in own:
-            self.faults.append(fault._replace(path=f"scene {fault.path}"))
+            given = self.tables.get("scene")  # its lines are not those of the study
+            place = f"line {fault.line} of {given}: " if fault.line and isinstance(given, str) else "scene "
+            self.faults.append(fault._replace(path=place + fault.path, line=0))
         if own:
             return
         for key in recipe.keys:

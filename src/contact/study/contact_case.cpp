@@ -186,24 +186,45 @@ void write_contact(CaseSurface const& surface, Cleared const& part, Cleared cons
         write_least_backlash(surface, cleared, clearing, floor_of_search, lever, errors, rest, result);
 }
 
+/// The part that contact is computed with, and as its offset the side clearance: what the scene gives where that clears
+/// over a full turn and at @p phase, else what does.
+Cleared used_part(CaseSurface const& surface, SliceClearances const& clearances, GapsAtRest& rest, Cleared cleared,
+                  double phase)
+{
+    ContactContext const& context = surface.context();
+    std::optional<Cleared> nominal = try_nominal_part(surface, clearances, rest, cleared, {phase}, nullptr);
+    double const offset = is_enough(context, cleared) ? given_clearance(context.scene) : cleared.offset;
+    Cleared part = nominal ? std::move(*nominal) : std::move(cleared);
+    part.offset = clearance_for_assembly(surface, rest, part, offset, {phase});
+    return part;
+}
+
 }  // namespace
+
+FlankSurface used_surface(ContactContext const& context, surface::SurfaceSpec const& spec)
+{
+    CaseSurface const surface(context, spec);
+    SliceClearances const clearances(context);
+    GapsAtRest rest;
+    Cleared part =
+        used_part(surface, clearances, rest, clear_flanks(surface, clearances, given_clearance(context.scene)),
+                  phase_of(context.scene, context.request.wave_generator));
+    FlankGrid grid = moved_into_material(std::move(part.flanks.grid), part.offset);
+    return {std::move(part.outline), std::move(grid), part.offset, part.tip};
+}
 
 double share_of(ContactContext const& context, surface::SurfaceSpec const& spec, bool as_made)
 {
     CaseSurface const surface(context, spec);
-    double const given = given_clearance(context.scene);
     SliceClearances const clearances(context);
-    Cleared cleared = clear_flanks(surface, clearances, given);
+    Cleared cleared = clear_flanks(surface, clearances, given_clearance(context.scene));
     if (as_made)
         check_as_made(surface, cleared);
     double const phase = phase_of(context.scene, context.request.wave_generator);
     GapsAtRest rest;
-    std::optional<Cleared> nominal = try_nominal_part(surface, clearances, rest, cleared, {phase}, nullptr);
-    Cleared& part = nominal ? *nominal : cleared;
-    double const offset =
-        clearance_for_assembly(surface, rest, part, is_enough(context, cleared) ? given : cleared.offset, {phase});
-    FlankGrid const used = moved_into_material(part.flanks.grid, offset);
-    RefinedFlanks finer(surface, part.flanks.grid, used, part.tip, offset);
+    Cleared const part = used_part(surface, clearances, rest, std::move(cleared), phase);
+    FlankGrid const used = moved_into_material(part.flanks.grid, part.offset);
+    RefinedFlanks finer(surface, part.flanks.grid, used, part.tip, part.offset);
     return contact_state({context, finer, rest, phase, 0, 0, 0, false}, used, nullptr).contact_fraction;
 }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,8 @@ template <class Value>
     return asked.empty() ? std::vector<Value>{otherwise} : asked;
 }
 
-/// Every combination that makes a difference, in the order asked for.
+/// Every combination that there is, in the order asked for: a draft offsets one outline, and surfaces with an outline
+/// for each slice have none.
 [[nodiscard]] inline std::vector<surface::SurfaceSpec> surface_choices(Scene const& scene,
                                                                        ContactOptions const& options)
 {
@@ -32,7 +34,7 @@ template <class Value>
          or_else(options.surfaces, scene.slices ? scene.slices->surface : ToothSurface::tilted))
         for (TiltKind const kind : or_else(options.kinds, scene.tilt ? scene.tilt->kind : TiltKind::radial))
             for (double const tilt : tilts)
-                if (surface == ToothSurface::tilted || kind == TiltKind::radial || tilt == 0)
+                if (surface == ToothSurface::tilted || kind == TiltKind::radial)
                     result.push_back({surface, kind, tilt});
     return result;
 }
@@ -41,6 +43,20 @@ template <class Value>
 {
     return fmt::format("tilt {} deg, kind \"{}\", surface \"{}\"", short_number(spec.tilt / deg), to_string(spec.kind),
                        to_string(spec.surface));
+}
+
+/// What is asked for and is no surface: for users.
+[[nodiscard]] inline std::vector<std::string> impossible_choices(ContactOptions const& options)
+{
+    std::vector<std::string> result;
+    if (std::ranges::find(options.kinds, TiltKind::draft) != options.kinds.end())
+        for (ToothSurface const surface : options.surfaces)
+            if (surface != ToothSurface::tilted)
+                result.push_back(
+                    fmt::format("no result for kind \"draft\", surface \"{}\": a draft needs one outline "
+                                "to offset, and this surface has one for each slice",
+                                to_string(surface)));
+    return result;
 }
 
 /// Why one of them is not there.

@@ -23,10 +23,7 @@ BranchWithErrors solved_branch(PathsOnGrids const& paths, BranchTorques const& t
 {
     BranchWithErrors result{torque_branch(paths.fine, torques, on_state), {}, {}};
     std::vector<LoadedState>& states = result.branch.states;
-    if (torques.given.size() == 1)
-        states.back().stiffness = stiffness_at(paths.fine, result.branch.last);
-    else
-        enter_stiffness(states, free_twist(paths.fine, torques.given.back()));
+    enter_stiffness(states, free_twist(paths.fine, torques.given.back()), stiffness_at(paths.fine, result.branch.last));
     for (auto const& path : paths.coarser)
         result.coarser.push_back(coarse_branch(*path->path, result.branch));
     result.errors = branch_errors(paths.fine.problem, result.branch, result.coarser);

@@ -72,10 +72,7 @@ CoarseBranch coarse_branch(TorqueContinuation const& coarse, TorqueBranch const&
     }
     if (solved.empty())
         return result;
-    if (count == 1)
-        solved.back().stiffness = stiffness_at(coarse, at);
-    else
-        enter_stiffness(solved, free_twist(coarse, branch.states.back().torque));
+    enter_stiffness(solved, free_twist(coarse, branch.states.back().torque), stiffness_at(coarse, at));
     for (std::size_t k = 0; k < which.size(); ++k)
         result.states[which[k]] = solved[k];
     return result;

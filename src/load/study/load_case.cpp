@@ -75,7 +75,7 @@ LoadCase assembled_case(contact::ContactContext const& context, surface::Surface
     result.side_clearance_increased = assembled.side_clearance_increased;
     result.backlash_offset = assembled.surface.offset;
     result.tip = assembled.surface.tip;
-    if (double const increase = assembled.surface.tip - context.maker.nominal_tip(choice).radius;
+    if (double const increase = assembled.surface.tip - context.geometry.circular_spline_inner_radius;
         !context.scene.circular_spline.automatic_backlash && increase > context.tolerance.length)
         result.tip_radius_increase = increase;
     result.backlash = width_of(assembled.play);

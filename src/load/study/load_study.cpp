@@ -47,6 +47,7 @@ void add_cases(contact::ContactContext const& context, DriveGrids const& drives,
     std::vector<surface::SurfaceSpec> const surfaces =
         contact::surface_choices(context.scene, contact_options(options));
     LoadingPath const torques = loading_path(context.scene, options);
+    study.missing = contact::impossible_choices(contact_options(options));
     std::optional<NumericalError> first;
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         CaseObserver const told{[&](LoadCase const& known) { tell_play(observer, known); },

@@ -69,13 +69,20 @@ void validate_catalogue(Scene const& scene, LoadOptions const& options, Faults& 
         return;
     double const rated = load::rated_torque(scene, options);
     auto const [first, second, lost_motion] = load::catalogue_torques(scene, rated);
-    auto const fault = [&](char const* key, double value, char const* reason, char const* remedy) {
-        faults.push_back({key, scene.load->line, short_number(value / newton_metre), reason, remedy});
+    auto const in_nm = [](double torque) { return short_number(torque / newton_metre) + " N m"; };
+    auto const fault = [&](char const* key, double value, std::string const& reason, double limit) {
+        auto const given = scene.given.find(key);
+        int const line = given == scene.given.end() ? 0 : given->second.line;
+        faults.push_back({key, line, short_number(value / newton_metre), reason + ", " + in_nm(limit),
+                          "write one below " + in_nm(limit), line > 0 ? "" : "--set"});
     };
-    if (!(first < second))
-        fault("load.first_torque", first, "T1 is not below T2", "write a smaller one, or a larger load.second_torque");
+    if (scene.load->first_torque && !(first < second))
+        fault("load.first_torque", first,
+              scene.load->second_torque ? "T1 is not below T2" : "T1 is not below the usual T2", second);
+    else if (!(first < second))
+        fault("load.second_torque", second, "T2 is not above the usual T1", first);
     if (!(second < std::abs(rated)))
-        fault("load.second_torque", second, "T2 is not below the rated torque", "write a smaller one");
+        fault("load.second_torque", second, "T2 is not below the rated torque", std::abs(rated));
 }
 
 }  // namespace

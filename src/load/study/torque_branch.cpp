@@ -126,7 +126,7 @@ LoadedState const* state_at(std::vector<LoadedState> const& branch, double torqu
     return found != branch.end() ? &*found : nullptr;
 }
 
-void enter_stiffness(std::vector<LoadedState>& branch, double free)
+void enter_stiffness(std::vector<LoadedState>& branch, double free, double end)
 {
     struct Interval
     {
@@ -138,10 +138,11 @@ void enter_stiffness(std::vector<LoadedState>& branch, double free)
         return Interval{branch[i].torque - (first ? 0 : branch[i - 1].torque),
                         branch[i].twist - (first ? free : branch[i - 1].twist)};
     };
-    for (std::size_t i = 0; i < branch.size(); ++i) {
+    branch.back().stiffness = end;
+    for (std::size_t i = 0; i + 1 < branch.size(); ++i) {
         if (branch[i].torque == 0)
             continue;
-        Interval const low = between(i), high = i + 1 < branch.size() ? between(i + 1) : low;
+        Interval const low = between(i), high = between(i + 1);
         double const compliance =
             (high.torque * low.compliance() + low.torque * high.compliance()) / (low.torque + high.torque);
         branch[i].stiffness = compliance > 0 ? 1 / compliance : 0;

@@ -44,10 +44,11 @@ struct TorqueBranch
 /// The state at @p torque; null: the branch has none.
 [[nodiscard]] LoadedState const* state_at(std::vector<LoadedState> const& branch, double torque);
 
-/// Enters dT/d(twist) into the states of a branch: the parabola twist(torque) through each state and its neighbours,
-/// the chord at the end. The contacts of a state alone would give too much, because they move along the flanks.
+/// Enters dT/d(twist) into the states of a branch: the parabola twist(torque) through each state and its neighbours.
+/// The contacts of a state alone would give too much, because they move along the flanks.
 /// @param free  twist at zero torque, where the branch begins [rad]
-void enter_stiffness(std::vector<LoadedState>& branch, double free);
+/// @param end   of the last state, which has no neighbour beyond: stiffness_at()
+void enter_stiffness(std::vector<LoadedState>& branch, double free, double end);
 
 /// dT/d(twist) at the torque of @p drive alone: the chord from a torque a little smaller [N mm/rad]. Where
 /// that twist is lost in the tolerance of the gaps, or that torque has no equilibrium: of the contacts at rest.

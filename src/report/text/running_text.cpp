@@ -111,7 +111,13 @@ std::string summary_text(RunStudy const& study, std::vector<WrittenFile> const& 
         page.figure(rows["torque"], study);
         page.figure(rows["spline_torque"], study);
     }
-    page.figure(rows["backlash_offset"], study, "of the flanks");
+    page.figure(rows["backlash_offset"], study,
+                study.side_clearance_increased ? "of the flanks; with that of the scene teeth would press on both"
+                                               : "of the flanks");
+    if (study.tip_radius_increase > 0)
+        page.figure(rows["tip_radius"], study,
+                    "wider than the scene gives by " + rows["tip_radius_increase"].value_with_unit(study) +
+                        ", so that the teeth clear and lands are left");
     for (RunSequence const& each : study.sequences)
         report::write_sequence(page, each);
     if (study.losses)
