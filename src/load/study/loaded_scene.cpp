@@ -70,19 +70,19 @@ void validate_catalogue(Scene const& scene, LoadOptions const& options, Faults& 
     double const rated = load::rated_torque(scene, options);
     auto const [first, second, lost_motion] = load::catalogue_torques(scene, rated);
     auto const in_nm = [](double torque) { return short_number(torque / newton_metre) + " N m"; };
-    auto const fault = [&](char const* key, double value, std::string const& reason, double limit) {
+    auto const fault = [&](char const* key, double value, std::string const& reason, char const* side, double limit) {
         auto const given = scene.given.find(key);
         int const line = given == scene.given.end() ? 0 : given->second.line;
         faults.push_back({key, line, short_number(value / newton_metre), reason + ", " + in_nm(limit),
-                          "write one below " + in_nm(limit), line > 0 ? "" : "--set"});
+                          fmt::format("write one {} {}", side, in_nm(limit)), line > 0 ? "" : "--set"});
     };
     if (scene.load->first_torque && !(first < second))
         fault("load.first_torque", first,
-              scene.load->second_torque ? "T1 is not below T2" : "T1 is not below the usual T2", second);
+              scene.load->second_torque ? "T1 is not below T2" : "T1 is not below the usual T2", "below", second);
     else if (!(first < second))
-        fault("load.second_torque", second, "T2 is not above the usual T1", first);
+        fault("load.second_torque", second, "T2 is not above the usual T1", "above", first);
     if (!(second < std::abs(rated)))
-        fault("load.second_torque", second, "T2 is not below the rated torque", std::abs(rated));
+        fault("load.second_torque", second, "T2 is not below the rated torque", "below", std::abs(rated));
 }
 
 }  // namespace
