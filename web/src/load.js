@@ -117,7 +117,7 @@ function cupSection(load, index) {
   if (!stress.length) return null;
   const kept = shape && shape.datasets && shape.datasets.stress.every ? shape.datasets.stress.every[1] : 1;
   const rows = stress.length / r.length, seat = new Set(column(shape, "seat")); // not determined there
-  const largest = stress.reduce((a, b, i) => seat.has(i % r.length) ? a : Math.max(a, b), 0);
+  const largest = column(load, "largest_stress")[index] || stress.reduce((a, b) => Math.max(a, b), 0);
   const canvas = make("canvas", { "class": "section", "role": "img", "aria-label": say("stress"), "width": 960,
     "height": 640 });
   const ctx = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
