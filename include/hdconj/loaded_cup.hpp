@@ -20,7 +20,7 @@ struct CupShape
     std::vector<double> u_t;              ///< (a,p) tangential displacement [mm]
     std::vector<double> u_z;              ///< (a,p) axial displacement [mm]
     std::vector<double> stress;           ///< (a,p) von Mises [MPa]; empty: not computed
-    std::vector<int> seat;                ///< nodes under the bearing's edges or near: their stress is not determined
+    std::vector<int> seat;                ///< nodes at the bearing, whose stress is not determined
 };
 
 /// The teeth of the flexspline on the cup that torque bends and turns, in the planes of the slices.

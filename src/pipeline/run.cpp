@@ -123,14 +123,10 @@ struct LeastPlay
 void enter_part(contact::ContactStudyData& data, surface::SurfaceSpec const& spec, double tip, double offset,
                 RunStudy& study)
 {
-    contact::ContactContext const& context = *data.context;
     study.backlash_offset = offset;
     study.tip = tip;
-    if (!context.scene.circular_spline.automatic_backlash) {
-        double const wider = tip - data.middle.geometry.circular_spline_inner_radius, length = context.tolerance.length;
-        study.side_clearance_increased = offset > contact::given_clearance(context.scene) + length;
-        study.tip_radius_increase = wider > length ? wider : 0;
-    }
+    study.side_clearance_increased = contact::is_side_clearance_increased(*data.context, offset);
+    study.tip_radius_increase = contact::tip_radius_increase(*data.context, tip);
     study.side_clearance = pipeline::write_part(study.solution, data, spec, tip, offset);
 }
 

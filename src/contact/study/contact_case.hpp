@@ -30,6 +30,22 @@ struct FlankSurface
 /// angle of the wave generator, else those that do.
 [[nodiscard]] FlankSurface used_surface(ContactContext const& context, surface::SurfaceSpec const& spec);
 
+/// Whether a part has more side clearance than the scene gives; never with "auto".
+/// @param offset  of the part [mm]
+[[nodiscard]] inline bool is_side_clearance_increased(ContactContext const& context, double offset)
+{
+    return !context.scene.circular_spline.automatic_backlash &&
+           offset > given_clearance(context.scene) + context.tolerance.length;
+}
+
+/// How much wider the tip circle of a part is than the scene gives; 0 within the tolerance, and with "auto" [mm].
+/// @param tip  radius at z = 0 [mm]
+[[nodiscard]] inline double tip_radius_increase(ContactContext const& context, double tip)
+{
+    double const wider = tip - context.geometry.circular_spline_inner_radius;
+    return !context.scene.circular_spline.automatic_backlash && wider > context.tolerance.length ? wider : 0;
+}
+
 /// What a scene's surface needs so that no slice is entered over a full turn.
 struct SideClearanceNeed
 {

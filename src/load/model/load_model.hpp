@@ -19,7 +19,7 @@ struct LoadModel
     std::shared_ptr<elastic::UnitFields const> unit;  ///< of the drive's stations but for the turns
     double radius;                                    ///< at which turns are taken [mm]
     double middle;                                    ///< of the bearing above the cup's bottom [mm]
-    elastic::CupSection section;
+    elastic::CupSection section;                      ///< of the cup, without teeth
     ElasticDrive drive;
 };
 

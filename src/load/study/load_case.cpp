@@ -48,17 +48,15 @@ SurfaceWithPlay surface_with_play(contact::ContactContext const& context, Assemb
     };
     contact::FlankSurface surface = contact::flank_surface(context, choice);
     std::optional<Play> play = play_in(surface);
-    bool side_clearance_increased = false;
     if (!automatic && !(play && width_of(*play) >= 0)) {
         contact::FlankSurface cleared = contact::flank_surface(context, choice, true);
-        side_clearance_increased = cleared.offset > surface.offset + context.tolerance.length;
         if (cleared.grid.point != surface.grid.point)  // the play of the same flanks is known
             play = play_in(cleared);
         surface = std::move(cleared);
     }
     if (!play)
         refuse_assembly(context.scene, choice, surface.offset);
-    return {std::move(surface), *play, side_clearance_increased};
+    return {std::move(surface), *play};
 }
 
 namespace {
@@ -72,12 +70,10 @@ LoadCase assembled_case(contact::ContactContext const& context, surface::Surface
     if (choice.tilt != 0 || context.scene.tilt)
         result.kind = choice.kind;
     result.tilt = choice.tilt;
-    result.side_clearance_increased = assembled.side_clearance_increased;
+    result.side_clearance_increased = contact::is_side_clearance_increased(context, assembled.surface.offset);
     result.backlash_offset = assembled.surface.offset;
     result.tip = assembled.surface.tip;
-    if (double const increase = assembled.surface.tip - context.geometry.circular_spline_inner_radius;
-        !context.scene.circular_spline.automatic_backlash && increase > context.tolerance.length)
-        result.tip_radius_increase = increase;
+    result.tip_radius_increase = contact::tip_radius_increase(context, assembled.surface.tip);
     result.backlash = width_of(assembled.play);
     return result;
 }

@@ -20,7 +20,6 @@ struct SurfaceWithPlay
 {
     contact::FlankSurface surface;
     Play play;
-    bool side_clearance_increased = false;  ///< the side clearance is larger than the scene gives
 };
 
 /// The surface with the scene's side clearance or, where with that the assembled teeth press on both flanks, with the
