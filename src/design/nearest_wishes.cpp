@@ -16,12 +16,13 @@ bool has_mesh(DesignWishes const& wishes)
     return check_design(wishes).empty() && mesh_with_wall(wishes).mesh.best.has_value();
 }
 
-/// The value nearest to @p asked with which there is a mesh, between it and @p easiest, by a sixteenth of their
-/// distance; nothing where not even that does.
+/// The value nearest to @p asked with which there is a mesh, between it and @p easiest, within a hundredth of itself or
+/// in its last digit; nothing where not even that does.
 template <class Enter>
 std::optional<double> nearest_value(DesignWishes wishes, double asked, double easiest, Enter enter)
 {
-    constexpr int halvings = 4;
+    constexpr int most_halvings = 16;
+    constexpr double enough = 0.01;
     auto const works = [&](double value) {
         enter(wishes, value);
         return has_mesh(wishes);
@@ -29,8 +30,10 @@ std::optional<double> nearest_value(DesignWishes wishes, double asked, double ea
     if (asked == easiest || !works(easiest))
         return std::nullopt;
     double refused = asked, accepted = easiest;
-    for (int i = 0; i < halvings; ++i) {
+    for (int i = 0; i < most_halvings && std::abs(refused - accepted) > enough * accepted; ++i) {
         double const middle = rounded((refused + accepted) / 2);
+        if (middle == refused || middle == accepted)
+            break;
         (works(middle) ? accepted : refused) = middle;
     }
     return accepted;

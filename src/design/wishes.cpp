@@ -75,7 +75,7 @@ class WishFaults
         within("--ratio", wishes_.ratio, ratios, "one stage has a ratio from 30 to 320");
         has_ratio_ = faults_.size() == before;
         if (has_ratio_ && wishes_.ratio != std::round(wishes_.ratio))
-            fault("--ratio", short_number(wishes_.ratio),
+            fault("--ratio", number_text(wishes_.ratio),
                   "two waves need even numbers of teeth, z_f = 2 i and z_c = z_f + 2, so that i is a whole number",
                   "the nearest that works is " + short_number(std::round(wishes_.ratio)));
     }

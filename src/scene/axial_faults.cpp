@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tilt, slices and contact: what is made of the teeth along the axis.
+// Tilt, slices, contact and load: what is made of the teeth along the axis, and asked of them.
 #include <cmath>
 
 #include "base/text.hpp"
@@ -77,6 +77,17 @@ void check_contact(SceneReading const& reading, Faults& faults)
     }
 }
 
+/// What the usual torque in place of a missing one says: load/study/loaded_scene.cpp.
+void check_catalogue_torques(SceneReading const& reading, Faults& faults)
+{
+    auto const& load = reading.scene.load;
+    if (load && load->first_torque && load->second_torque && !(*load->first_torque < *load->second_torque)) {
+        std::string const second = short_number(*load->second_torque / newton_metre) + " N m";
+        add_at(faults, "load.first_torque", short_number(*load->first_torque / newton_metre),
+               "T1 is not below T2, " + second, "write one below " + second);
+    }
+}
+
 }  // namespace
 
 void add_axial_faults(SceneReading const& reading, Faults& faults)
@@ -85,6 +96,7 @@ void add_axial_faults(SceneReading const& reading, Faults& faults)
     check_slices(reading, faults);
     check_axial_reverse(reading, faults);
     check_contact(reading, faults);
+    check_catalogue_torques(reading, faults);
 }
 
 }  // namespace hdconj::scene

@@ -64,7 +64,7 @@ std::vector<BadCommand> const& design_commands()
         {fifty + "--land=-0.1", "--land = -0.1", "a tip land", "works is 0"},
         {fifty + "--land 2", "--land = 2", "a tip land", "works is 0.8"},
         {fifty + "--clearance=-0.01", "--clearance = -0.01", "no side clearance", "write 0"},
-        {fifty + "--clearance 0.2", "--clearance = 0.2", "no radial deformation", "the nearest that works is 0.1"},
+        {fifty + "--clearance 0.2", "--clearance = 0.2", "no radial deformation", "the nearest that works is 0.144"},
         {fifty + "--safety 0.5", "--safety = 0.5", "below 1 the cup breaks", "works is 1"},
         {fifty + "--safety 50", "--safety = 50", "above 10", "works is 10"},
         {"--ratio 30 --diameter 50 --safety 5", "--safety = 5", "bending the ring stresses it",

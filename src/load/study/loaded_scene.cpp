@@ -62,7 +62,7 @@ void validate_harmonics(LoadRequest const& request, int highest, Faults& faults)
                           "more than the angles of the teeth tell apart", fmt::format("write at most {}", highest)});
 }
 
-/// Stiffnesses between torques need these in order.
+/// Stiffnesses between torques need these in order; where both are given: scene/axial_faults.cpp.
 void validate_catalogue(Scene const& scene, LoadOptions const& options, Faults& faults)
 {
     if (!scene.load || !(scene.load->first_torque || scene.load->second_torque) || !options.curve)
@@ -77,8 +77,7 @@ void validate_catalogue(Scene const& scene, LoadOptions const& options, Faults& 
                           fmt::format("write one {} {}", side, in_nm(limit)), line > 0 ? "" : "--set"});
     };
     if (scene.load->first_torque && !(first < second))
-        fault("load.first_torque", first,
-              scene.load->second_torque ? "T1 is not below T2" : "T1 is not below the usual T2", "below", second);
+        fault("load.first_torque", first, "T1 is not below the usual T2", "below", second);
     else if (!(first < second))
         fault("load.second_torque", second, "T2 is not above the usual T1", "above", first);
     if (!(second < std::abs(rated)))

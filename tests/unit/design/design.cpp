@@ -3,6 +3,7 @@
 #include "hdconj/design.hpp"
 #include "hdconj/units.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -317,6 +318,27 @@ TEST_CASE("wishes that no design meets are all named with the nearest that works
     } catch (InputError const& error) {
         REQUIRE(error.faults().size() == 1);
         CHECK(error.faults().front().path == "--clearance");
+    }
+}
+
+TEST_CASE("the nearest side clearance that is named is the same from far and from near", "[design]")
+{
+    for (double const asked : {1.0, 0.2, 0.16}) {
+        DesignWishes wishes = type_50();
+        wishes.clearance = asked;
+        CAPTURE(asked);
+        try {
+            (void)design_drive(wishes);
+            FAIL("such a side clearance leaves no land");
+        } catch (InputError const& error) {
+            auto const fault = std::ranges::find(error.faults(), "--clearance", &Fault::path);
+            REQUIRE(fault != error.faults().end());
+            std::string const& remedy = fault->remedy;
+            wishes.clearance = std::stod(remedy.substr(remedy.rfind(' ')));
+        }
+        CHECK_NOTHROW(design_drive(wishes));
+        wishes.clearance *= 1.02;
+        CHECK_THROWS_AS(design_drive(wishes), InputError);
     }
 }
 
