@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from numbers import Real
 from typing import Any, Optional, Union
 
 from . import _core, _hdf5, _results
+from ._arguments import checked, interval, number, numbers, word, words
 from ._scene import Scene, SceneLike, scene_of
 
 Progress = Union[bool, Callable[[str, Optional[float]], None]]
@@ -38,18 +38,7 @@ def _calling(progress: Progress) -> Iterator[tuple[Callable[[str, float | None],
         yield (progress or None), is_main
 
 
-def _words(given: str | Sequence[str]) -> list[str]:
-    return [given] if isinstance(given, str) else list(given)
-
-
-def _numbers(given: float | Sequence[float], argument: str) -> list[float]:
-    if isinstance(given, Real):
-        return [float(given)]
-    if isinstance(given, str) or not isinstance(given, Iterable):
-        raise TypeError(f"{argument} takes a number or several, such as [0, 0.1], not {given!r}")
-    return [float(each) for each in given]
-
-
+@checked
 def solve(scene: SceneLike = None, *, progress: Progress = False) -> _results.Solution:
     """Solve for the circular spline that is conjugate to the flexspline's tooth.
 
@@ -78,6 +67,7 @@ def solve(scene: SceneLike = None, *, progress: Progress = False) -> _results.So
         return _results.Solution._computed(_core.solve(asked._core, *call), asked)
 
 
+@checked
 def find_neutral_curve(scene: SceneLike, *, progress: Progress = False) -> _results.NeutralCurve:
     """Find the neutral curve on which two given teeth touch.
 
@@ -103,6 +93,7 @@ def find_neutral_curve(scene: SceneLike, *, progress: Progress = False) -> _resu
         return _results.NeutralCurve._computed(_core.find_neutral_curve(asked._core, *call), asked)
 
 
+@checked
 def contact(
     scene: SceneLike = None,
     *,
@@ -140,11 +131,13 @@ def contact(
     ContactStudy
     """
     asked = scene_of(scene)
-    options = (_numbers(tilts_deg, "tilts_deg"), _words(surfaces), _words(kinds), best_deg, revolution, errors)
+    best = None if best_deg is None else interval("best_deg", best_deg)
+    choices = (numbers("tilts_deg", tilts_deg), words("surfaces", surfaces), words("kinds", kinds))
     with _calling(progress) as call:
-        return _results.ContactStudy._computed(_core.contact(asked._core, *options, *call), asked)
+        return _results.ContactStudy._computed(_core.contact(asked._core, *choices, best, revolution, errors, *call), asked)
 
 
+@checked
 def load(
     scene: SceneLike = None,
     *,
@@ -189,11 +182,13 @@ def load(
     if measured is not None and not isinstance(measured, _results.Measurement):
         measured = read_measured(measured, asked)
     seen = measured._kept() if measured is not None else None
-    options = (torque, points, _numbers(tilts_deg, "tilts_deg"), _words(surfaces), _words(kinds), curve, errors, seen)
+    choices = (numbers("tilts_deg", tilts_deg), words("surfaces", surfaces), words("kinds", kinds))
+    options = (torque, points, *choices, curve, errors, seen)
     with _calling(progress) as call:
         return _results.LoadStudy._computed(_core.load(asked._core, *options, *call), asked)
 
 
+@checked
 def run(
     scene: SceneLike = None,
     *,
@@ -229,6 +224,7 @@ def run(
         return _results.RunStudy._computed(_core.run(asked._core, torque, positions, errors, *call), asked)
 
 
+@checked
 def wedm(
     scene: SceneLike = None,
     *,
@@ -256,10 +252,11 @@ def wedm(
     """
     asked = scene_of(scene)
     with _calling(progress) as call:
-        made = _core.wedm(asked._core, os.fspath(folder), _words(dialects), *call)
+        made = _core.wedm(asked._core, os.fspath(folder), words("dialects", dialects), *call)
     return _results.WireProgram._computed(made, asked)
 
 
+@checked
 def accuracy(
     scene: SceneLike = None,
     *,
@@ -293,10 +290,11 @@ def accuracy(
     """
     asked = scene_of(scene)
     with _calling(progress) as call:
-        made = _core.accuracy(asked._core, _words(studies), sample, repeats, quick, *call)
+        made = _core.accuracy(asked._core, words("studies", studies), sample, repeats, quick, *call)
     return _results.Accuracy._computed(made, asked)
 
 
+@checked
 def inspect(
     scene: SceneLike,
     points: str | os.PathLike[str],
@@ -337,6 +335,7 @@ def inspect(
     return _results.Inspection._computed(made, asked)
 
 
+@checked
 def read_measured(
     file: str | os.PathLike[str],
     scene: SceneLike = None,
@@ -377,6 +376,7 @@ def read_measured(
     return _results.Measurement._computed(made, asked)
 
 
+@checked
 def report(
     scenes: SceneLike | _results.Result | Sequence[SceneLike | _results.Result],
     file: str | os.PathLike[str],
@@ -427,11 +427,12 @@ def report(
 
     listed: list[Any] = list(scenes) if isinstance(scenes, (list, tuple)) else [scenes]
     asked = [source_of(each) for each in listed]
-    options = (_words(parts), _numbers(tilts_deg, "tilts_deg"), revolution, curve)
+    options = (words("parts", parts), numbers("tilts_deg", tilts_deg), revolution, curve)
     with _calling(progress) as call:
         return _core.report(asked, os.fspath(file), *options, *call)
 
 
+@checked
 def design(ratio: float, *, progress: Progress = False, **wishes: Any) -> _results.Design:
     """Design a whole drive from a few wishes.
 
@@ -454,7 +455,8 @@ def design(ratio: float, *, progress: Progress = False, **wishes: Any) -> _resul
     for name, value in {"ratio": ratio, **wishes}.items():
         if name.startswith("_") or not hasattr(asked, name):
             raise TypeError(f"design() knows no wish {name!r}")
-        setattr(asked, name, value)
+        is_text = isinstance(getattr(asked, name), str)
+        setattr(asked, name, word(name, value) if is_text else number(name, value))
     with _calling(progress) as call:
         text, made = _core.design(asked, *call)
     return _results.Design._computed(made, Scene.from_toml(text, "the designed scene"))

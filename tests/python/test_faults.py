@@ -7,6 +7,7 @@ import os
 import re
 import subprocess
 
+import numpy as np
 import pytest
 from conftest import SOURCE, run_program
 
@@ -149,11 +150,28 @@ def test_limits_of_arguments(option, call, tmp_path):
         (r"the key 1 of a scene", lambda: hdconj.Scene.from_dict({"drive": {1: 2}})),
         (r"from_toml\(\) takes text, not bytes", lambda: hdconj.Scene.from_toml(b"")),
         (r"tilts_deg takes a number or several", lambda: hdconj.contact(tilts_deg="0.1")),
+        (r"tilts_deg takes a number, not 'a'", lambda: hdconj.contact(tilts_deg=[0, "a"])),
+        (r"surfaces takes text, not 3", lambda: hdconj.contact(surfaces=[3])),
+        (r"best_deg takes two numbers", lambda: hdconj.contact(best_deg=(0, 0.1, 0.2))),
+        (r"revolution takes a whole number", lambda: hdconj.contact(revolution=2**40)),
+        (r"torque takes a number, not '5'", lambda: hdconj.load(torque="5")),
+        (r"errors takes True or False, not 'no'", lambda: hdconj.load(errors="no")),
+        (r"positions takes a whole number up to \d+, not 2.5", lambda: hdconj.run(positions=2.5)),
+        (r"part takes text, not None", lambda: hdconj.inspect(None, "points.csv", part=None)),
+        (r"ratio takes a number, not '100'", lambda: hdconj.design("100", diameter=50)),
+        (r"diameter takes a number, not '50'", lambda: hdconj.design(100, diameter="50")),
+        (r"family takes text, not 3", lambda: hdconj.design(100, diameter=50, family=3)),
     ],
 )
 def test_wrong_types_say_what_is_expected(said, call):
     with pytest.raises(TypeError, match=said):
         call()
+
+
+def test_numbers_of_numpy_are_numbers(coned):
+    given = {"tilts_deg": np.float32(0.125), "revolution": np.int64(2), "errors": np.bool_(False)}
+    plain = hdconj.contact(coned, tilts_deg=0.125, revolution=2, errors=False)
+    assert (hdconj.contact(coned, **given).contact.contact_area == plain.contact.contact_area).all()
 
 
 def test_one_tilt_is_a_list_of_one(coned):
