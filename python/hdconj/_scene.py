@@ -130,6 +130,9 @@ class Scene:
             From paths such as ``"flexspline.wall"`` to values; None removes a key or a table.
         """
         _require(isinstance(changes, Mapping), "with_", 'a mapping such as {"flexspline.wall": 0.6}', changes)
+        for key in changes:
+            if not isinstance(key, str) or "=" in key:
+                raise TypeError(f'with_() takes paths of keys such as "flexspline.wall", not {key!r}')
         more = tuple(f"!{key}" if value is None else f"{key}={_toml_value(value)}" for key, value in changes.items())
         return self._of(self._source, self._overrides + more)
 

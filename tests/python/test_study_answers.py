@@ -6,6 +6,7 @@ import os
 
 import numpy as np
 import pytest
+from conftest import SOURCE
 
 import hdconj
 
@@ -278,6 +279,62 @@ def test_pareto_set(search, tmp_path):
     assert len(list((tmp_path / "pareto").glob("*.toml"))) == len(found.best(200))
     assert hdconj.Scene.load(tmp_path / "best.toml").check() == ()
     assert {"front.png", "parallel.png", "tooth.png"} <= {file.name for file in draw_all(found)}
+
+
+def test_a_search_that_finds_nothing_leaves_no_best(search, tmp_path):
+    limits = "[constraints]\nf = {{ max = {} }}\n"
+    text = HEAD + TWO + 'g = "min"\n'
+    search(text + limits.format(3), "random", 2, tmp_path)
+    assert (tmp_path / "best.toml").exists() and list((tmp_path / "pareto").iterdir())
+    found = search(text + limits.format(-1), "random", 2, tmp_path)
+    assert len(found.frame) == 20 and not found.feasible().any()
+    assert not (tmp_path / "best.toml").exists() and not list((tmp_path / "pareto").iterdir())
+
+
+def test_a_refused_search_leaves_the_folder_as_it_was(search, tmp_path):
+    text, limits = HEAD + TWO + 'g = "min"\n', "[constraints]\nf = {{ max = {} }}\n"
+    search(text + limits.format(1), "nsga2", 3, tmp_path)
+    before = (tmp_path / "study.toml").read_text()
+    with pytest.raises(hdconj.InputError, match="asks for other drives"):
+        search(text + limits.format(0.1), "nsga2", 4, tmp_path)
+    assert (tmp_path / "study.toml").read_text() == before
+    assert len(search(text + limits.format(1), "nsga2", 4, tmp_path).frame) == 40
+
+
+SURVIVING = """
+scene = "SCENE"
+[set]
+"slices.count" = 3
+"contact.flank_points" = 20
+[vary]
+"wave_generator.radial_deformation" = { from = 0.23, to = 0.27 }
+[sample]
+count = COUNT
+[compute]
+verb = "contact"
+survivors = SURVIVORS
+[figures]
+area = "contact.contact_area"
+[objectives]
+area = "AIM"
+"""
+
+
+def test_survivors_are_those_of_the_study_as_it_is(scheduler, tmp_path):
+    def run(count, survivors, aim):
+        text = SURVIVING.replace("SCENE", str(SOURCE / "data/scenes/type-50-coned.toml"))
+        text = text.replace("COUNT", str(count)).replace("SURVIVORS", str(survivors)).replace("AIM", aim)
+        study.run(study.read_recipe(text), tmp_path, scheduler=scheduler, progress=False)
+        return study.open(tmp_path)
+
+    few = run(1, 1, "max")
+    assert few.best(5)["area"].tolist() == [few.frame["area"].max()] and few.best()["area_error"].notna().all()
+    more = run(8, 0, "max")
+    assert more.frame["area"].max() > few.frame["area"].max()
+    assert more.best(1)["area"][0] == more.frame["area"].max()
+    least = run(8, 2, "min")
+    assert least.best(5)["area"].tolist() == sorted(least.frame["area"])[:2]
+    assert least.best()["area_error"].notna().all()
 
 
 SLICE = """

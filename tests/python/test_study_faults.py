@@ -110,6 +110,10 @@ BAD = [
     ('verb = "solve"', 'verb = "solve"\nsurvivors = 3', "nothing says which drives survive"),
     ("[figures]", "[figures]\n1st = 'solve.land_width'", "is no name of a figure"),
     ("[figures]", "[figures]\nland_error = 'solve.land_width'", "not _error at its end"),
+    ("[figures]", "[figures]\nrank = 'solve.land_width'", "figures.rank: is another column's name in the rows too"),
+    (FLANK, FLANK + "\nland = { list = [1, 2] }", "vary.land: is a figure's name in the rows too"),
+    (FLANK, FLANK + "\nland_error = '2 * 3'", "vary.land_error: is another column's name in the rows too"),
+    (FLANK, FLANK + "\ncause = { list = [1, 2] }", "vary.cause: is another column's name in the rows too"),
     ("[figures]", "[figures]\na = 'contact.backlash'", "contact is not computed"),
     ("[figures]", "[figures]\na = '1 / 0'", "figures.a = 1 / 0: has no value: division by zero"),
     ("[figures]", "[figures]\na = 3", "figures.a = 3: no expression in quotes"),
@@ -122,6 +126,7 @@ BAD = [
     ("[figures]", "[constraints]\nland = 3\n[figures]", "no limits (write { min = A }"),
     ("[figures]", "[constraints]\nland = { min = 'a' }\n[figures]", "a limit is no number"),
     ("[figures]", "[constraints]\nland = { min = 3, max = 2 }\n[figures]", "min is not below max"),
+    ("[figures]", "[constraints]\nland = { min = 3, max = 3 }\n[figures]", "(write a min below the max)"),
     ("[figures]", "[objectives]\nland = 'more'\n[figures]", 'objectives.land = more: no aim (write "min" or "max")'),
     ("[figures]", "[optimise]\nmethod = 'nsga'\n[figures]", "write one of nsga2, cmaes, random"),
     ("[figures]", "[optimise]\npopulation = 1\n[figures]", "write a whole number from 2"),
@@ -161,6 +166,28 @@ def test_figures_are_those_of_the_first_drive(old, new, said):
     with pytest.raises(hdconj.InputError) as refused:
         study.check(study.read_recipe(GOOD.replace(old, new)))
     assert said in str(refused.value)
+
+
+TORQUE = """
+[vary]
+"load.torque" = { list = [5.0, 10.0] }
+[compute]
+verb = "load"
+load = { curve = false, measured = "rig.csv" }
+[figures]
+half = "load.torque / 2"
+"""
+
+
+def test_a_name_that_means_two_things_is_refused():
+    """The key is in N m, the figure in N mm."""
+    with pytest.raises(hdconj.InputError, match="load.torque is a key that varies and a figure"):
+        study.check(study.read_recipe(TORQUE.replace(', measured = "rig.csv"', "")))
+
+
+def test_a_measured_curve_that_is_not_there_is_named(tmp_path):
+    with pytest.raises(hdconj.InputError, match=r"compute.load.measured = .*rig.csv: cannot be read"):
+        study.check(study.read_recipe(TORQUE, "study", tmp_path))
 
 
 def test_a_drive_that_cannot_be_made_is_no_fault():

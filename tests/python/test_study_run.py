@@ -411,6 +411,24 @@ def test_the_folder_has_the_files_that_the_scene_names(scheduler, tmp_path):
     assert hdconj.solve(best).figures["space_depth"].value == max(depth)
 
 
+def test_the_folder_has_the_measured_curve(scheduler, tmp_path):
+    """It is found from where the study is, and decides the rows."""
+    curve = np.vstack([[t / 28 * 0.1, t] for t in [*range(0, 29), *range(28, -29, -1), *range(-28, 1)]])
+    (tmp_path / "rig.csv").write_text("angle [deg],torque [N m]\n" + "\n".join(f"{a},{t}" for a, t in curve))
+    text = SHARED.replace("SCENE", str(Path(os.environ["HDCONJ_SOURCE"], "data/scenes/type-50-elastic.toml")))
+    text = text.replace("count = 3", "count = 2").replace('["contact", "load"]', '"load"')
+    text = text.replace('area = "contact.contact_area"', "")
+    (tmp_path / "study.toml").write_text(text.replace("curve = false", 'curve = false, measured = "rig.csv"'))
+    first = tmp_path / "first"
+    study.run(tmp_path / "study.toml", first, scheduler=scheduler, progress=False)
+    (tmp_path / "rig.csv").rename(tmp_path / "moved.csv")
+    study.run(first / "study.toml", tmp_path / "second", scheduler=scheduler, progress=False)
+    assert bits(first) == bits(tmp_path / "second")
+    (tmp_path / "rig.csv").write_text((tmp_path / "moved.csv").read_text().replace("0.1,28", "0.2,28"))
+    with pytest.raises(hdconj.InputError, match="holds rows of another study"):
+        study.run(tmp_path / "study.toml", first, scheduler=scheduler, progress=False)
+
+
 SHARED = """
 scene = "SCENE"
 [set]

@@ -84,14 +84,19 @@ def print_best(study: Any, options: argparse.Namespace) -> bool:
     if table is None:
         return True
     if table.empty:
-        why = "keeps all constraints" if study.recipe.constraints else "can be made"
-        print(f"hdconj study: {study.folder.place}: none of its drives {why}", file=sys.stderr)
-        return False
+        return _say_none(study)
     errors = [name for name in table.columns if name.endswith("_error") and table[name].isna().all()]
     print(table.drop(columns=[*errors, "code", "stage", "place", "cause"]).to_string(index=False, float_format=_number))
     if options.scene:
         study.folder.write_scene(Path(options.scene), study.recipe.scene_of(study.values(table.iloc[0])))
     return True
+
+
+def _say_none(study: Any) -> bool:
+    """Says why a study has no best drive."""
+    why = "keeps all constraints" if study.recipe.constraints else "can be made"
+    print(f"hdconj study: {study.folder.place}: none of its drives {why}", file=sys.stderr)
+    return False
 
 
 def _stop_at_once_at_the_second_interrupt() -> None:
@@ -109,7 +114,8 @@ def _stop_at_once_at_the_second_interrupt() -> None:
     signal.signal(signal.SIGINT, stop)
 
 
-def _run(options: argparse.Namespace) -> None:
+def _run(options: argparse.Namespace) -> bool:
+    """Computes a study; False where a search has found no drive."""
     from . import _optimise, _run
     from ._study import open as open_study
 
@@ -119,8 +125,10 @@ def _run(options: argparse.Namespace) -> None:
         options.what, options.folder, jobs=options.jobs, scheduler=options.scheduler,
         shard_seconds=options.shard_seconds, progress=not options.quiet,
     )  # fmt: skip
+    study = open_study(options.folder)
     if not options.quiet:
-        print_status(open_study(options.folder))
+        print_status(study)
+    return options.verb == "run" or bool(study.feasible().any()) or _say_none(study)
 
 
 def _act(options: argparse.Namespace) -> bool:
@@ -128,8 +136,8 @@ def _act(options: argparse.Namespace) -> bool:
     from ._study import open as open_study
 
     if options.verb in ("run", "optimise"):
-        _run(options)
-    elif options.verb == "check":
+        return _run(options)
+    if options.verb == "check":
         from ._read import load_recipe
         from ._run import fault_of, first_drive
 

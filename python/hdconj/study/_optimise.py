@@ -103,6 +103,8 @@ def optimise(
     _refuse_unfit(recipe)
     place, told = Folder(folder), Told()
     with place.locked():
+        if place.same(recipe, "optimise"):
+            _refuse_other_search(place, recipe)
         recipe, about = prepare(place, recipe, "optimise")
         place.part("asked")
         with engine(jobs, scheduler) as client:
@@ -123,7 +125,7 @@ def optimise(
                     )  # fmt: skip
                     told.done += now.done
                     told.failed += now.failed
-                _tell(search, place, numbers)
+                _tell(search, Study(place.place), numbers)
             if recipe.survivors and not recipe.errors:
                 compute_survivors(client, place, recipe, shard_seconds, progress)
         write_best(Study(place.place))
@@ -143,37 +145,57 @@ def _refuse_unfit(recipe: Recipe) -> None:
     refuse(faults)
 
 
-def _asked(place: Folder, generation: int, units: Any) -> Any:
-    """What the search asks, stored; where it was stored before, it must be the same."""
-    file = place.place / "asked" / f"{generation:06d}.npy"
-    if units is None:
-        return None
-    if file.exists():
-        if not np.array_equal(np.load(file), units):
-            faults = [
+def _refuse_other_search(place: Folder, recipe: Recipe) -> None:
+    """Refuses a study whose search does not ask for the drives that the folder holds; nothing is written."""
+    study, search, first = Study(place.place, recipe), Search(recipe), 0
+    for generation in range(int(recipe.optimise["generations"])):
+        file = _file_of(place, generation)
+        if not file.exists():
+            return
+        stored, units = np.load(file), search.ask()
+        if units is None or not np.array_equal(stored, units):
+            refuse([
                 Fault(str(place.place), 0, "", "the search asks for other drives than before", "name another folder")
-            ]
-            refuse(faults)
-        return units
-    made = io.BytesIO()
-    np.save(made, units)
-    write_whole(file, made.getvalue())
+            ])  # fmt: skip
+        numbers = range(first, first + len(units))
+        first += len(units)
+        if place.missing(numbers):
+            return
+        _tell(search, study, numbers)
+
+
+def _file_of(place: Folder, generation: int) -> Path:
+    return place.place / "asked" / f"{generation:06d}.npy"
+
+
+def _asked(place: Folder, generation: int, units: Any) -> Any:
+    """What the search asks, stored."""
+    file = _file_of(place, generation)
+    if units is not None and not file.exists():
+        made = io.BytesIO()
+        np.save(made, units)
+        write_whole(file, made.getvalue())
     return units
 
 
-def _tell(search: Search, place: Folder, numbers: range) -> None:
-    study = Study(place.place)
+def _tell(search: Search, study: Study, numbers: range) -> None:
     rows = study.frame[study.frame["sample"].isin(numbers)]
     search.tell(study.objectives(rows)[0], violation(study, rows))
 
 
 def write_best(study: Study) -> list[Path]:
-    """Writes the scenes of the best drives: best.toml, and of several objectives all that no other one beats."""
+    """Writes the scenes of the best drives: best.toml, and of several objectives all that no other one beats.
+
+    Those of a search before are removed. Nothing is written where no drive keeps all constraints.
+    """
     best = study.best(200)
-    if best.empty:
-        return []
     folder = study.folder.place
     files = [folder / "best.toml"]
+    for old in (folder / "pareto").glob("*.toml"):
+        old.unlink()
+    if best.empty:
+        files[0].unlink(missing_ok=True)
+        return []
     values = study.objectives(best)[0]
     spread = np.ptp(values, axis=0)
     distance = ((values - values.min(axis=0)) / np.where(spread > 0, spread, 1)) ** 2
@@ -182,8 +204,6 @@ def write_best(study: Study) -> list[Path]:
     study.folder.write_scene(files[0], scenes[nearest])
     if len(study.recipe.objectives) > 1:
         pareto = study.folder.part("pareto")
-        for old in pareto.glob("*.toml"):
-            old.unlink()
         for number, scene in zip(best["sample"], scenes):
             files.append(pareto / f"sample-{int(number):06d}.toml")
             study.folder.write_scene(files[-1], scene)

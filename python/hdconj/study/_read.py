@@ -7,13 +7,14 @@ import difflib
 import os
 import re
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 from typing import Any
 
 from .._errors import Fault, InputError, NumericalError
 from .._scene import Scene, toml_text
+from ._data_files import contents
 from ._expression import NO_VALUE, Expression
 from ._keys import LAWS, Key, Value, is_number, read_key
 from ._options import fits, in_words, judged, known_options
@@ -22,7 +23,7 @@ from ._sample import METHODS
 
 TABLES = ("scene", "set", "vary", "sample", "compute", "figures", "constraints", "objectives", "optimise")
 OPTIMISERS = ("nsga2", "cmaes", "random")
-_TAKEN = ("sample", "code", "stage", "place", "cause")
+_TAKEN = ("sample", "code", "stage", "place", "cause", "rank")
 
 
 def _specs(tables: Mapping[str, Any], before: str = "") -> Iterator[tuple[str, Any]]:
@@ -188,7 +189,8 @@ class _Reader:
                 self.told(path, "is of another type", f"write {in_words(known[option])}", value)
             elif isinstance(value, list) and len(value) > 1 and option != "best_deg":
                 self.told(path, "a drive has one case", "write one value, vary the key", value)
-        return options
+        measured = options.get("measured")
+        return {**options, "measured": str(self.folder / measured)} if isinstance(measured, str) else options
 
     def figures(self, verbs: list[str]) -> list[tuple[str, Expression]]:
         """Names of the study for figures of the results."""
@@ -200,7 +202,9 @@ class _Reader:
             if isinstance(text, dict) and set(text) == {"value", "unit"} and isinstance(text["unit"], str):
                 text = text["value"]
             expression = self.expression(f"figures.{name}", text)
-            if not re.fullmatch(r"[A-Za-z]\w*", name) or name.endswith("_error") or name in _TAKEN:
+            if name in _TAKEN:
+                self.told(f"figures.{name}", "is another column's name in the rows too", "write another name")
+            if not re.fullmatch(r"[A-Za-z]\w*", name) or name.endswith("_error"):
                 self.told(
                     f"figures.{name}", "is no name of a figure", "write letters, digits and _; not _error at its end"
                 )
@@ -214,6 +218,14 @@ class _Reader:
                 found.append((name, expression))
         return found
 
+    def columns(self, paths: Iterable[str], figures: list[str]) -> None:
+        """Rows have one column for each key and link, two for each figure, and some of their own."""
+        taken = {*_TAKEN, *figures, *(f"{name}_error" for name in figures)}
+        for path in paths:
+            if path in taken:
+                what = "a figure's" if path in figures else "another column's"
+                self.told(f"vary.{path}", f"is {what} name in the rows too", "write another name")
+
     def constraints(self, figures: Any) -> dict[str, tuple[float, float]]:
         """Limits of figures."""
         found = {}
@@ -226,7 +238,7 @@ class _Reader:
             elif not all(map(is_number, limits.values())):
                 self.told(place, "a limit is no number", "write { min = A, max = B }", limits)
             elif limits.get("min", -float("inf")) >= limits.get("max", float("inf")):
-                self.told(place, "min is not below max", "exchange them", limits)
+                self.told(place, "min is not below max", "write a min below the max", limits)
             else:
                 found[name] = float(limits.get("min", "-inf")), float(limits.get("max", "inf"))
         return found
@@ -330,6 +342,7 @@ def _read_tables(reader: _Reader) -> Recipe | None:
     verbs, errors, survivors = reader.compute()
     figures = reader.figures([verb for verb, _ in verbs])
     names = [name for name, _ in figures]
+    reader.columns([*(key.path for key in keys), *links], names)
     seed = reader.count(sample, "sample.seed", 1)
     recipe = Recipe(
         reader.text, reader.tables, scene, tuple(keys), reader.ordered(links, known), method, count, seed,
@@ -338,6 +351,9 @@ def _read_tables(reader: _Reader) -> Recipe | None:
     )  # fmt: skip
     if survivors and not recipe.objectives:
         reader.told("compute.survivors", "nothing says which drives survive", "write [objectives]", survivors)
+    for name, content in recipe.measured.items():
+        if contents(scene, recipe.keys).get(name, content) != content:
+            reader.told("compute.load.measured", "has the name of another file of the scene", "write another name", name)
     reader.probe(scene, recipe)
     reader.ask_verbs(recipe)
     return recipe

@@ -6,9 +6,11 @@ from __future__ import annotations
 import hashlib
 import json
 import math
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from pathlib import Path
 from typing import Any
 
 from .._errors import NumericalError
@@ -102,8 +104,20 @@ class Recipe:
 
     @cached_property
     def files(self) -> dict[str, bytes]:
-        """What the files hold that the scene names, under their names."""
-        return contents(self.scene, self.keys)
+        """What the files hold that scene and options name, under the names that these give them."""
+        return {**contents(self.scene, self.keys), **self.measured}
+
+    @cached_property
+    def measured(self) -> dict[str, bytes]:
+        """What the measured curves hold, under the names that the study gives them; without those that are not there.
+
+        Their options have the names of the files where they are.
+        """
+        found = {}
+        for verb, options in self.verbs:
+            if "measured" in options and (file := Path(options["measured"])).is_file() and os.access(file, os.R_OK):
+                found[str(self.tables["compute"][verb]["measured"])] = file.read_bytes()
+        return found
 
     def identity(self) -> str:
         """A hash of what decides the rows; of a file its content counts, and not its name."""

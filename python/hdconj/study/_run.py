@@ -25,6 +25,8 @@ def first_drive(recipe: Recipe) -> tuple[Row, dict[str, str], float]:
     InputError
         A name under [figures] is no figure of the result, or a verb refuses its options.
     """
+    _refuse_unread_curves(recipe)
+    _refuse_ambiguous_names(recipe)
     begin = time.perf_counter()
     rows, units = careful_rows(recipe, [(0, recipe.first)], recipe.errors)
     row = rows[0]
@@ -34,6 +36,26 @@ def first_drive(recipe: Recipe) -> tuple[Row, dict[str, str], float]:
     if row["code"] == "scene" and (row["place"] in options or row["place"].startswith("--")):
         refuse([Fault("compute", 0, "", f"{row['place']}: {row['cause']}", "mend the options of the verb")])
     return row, units, time.perf_counter() - begin
+
+
+def _refuse_unread_curves(recipe: Recipe) -> None:
+    refuse([
+        Fault(f"compute.{verb}.measured", 0, options["measured"], "cannot be read",
+              "name a CSV file, relative to the study's folder")
+        for verb, options in recipe.verbs
+        if "measured" in options and recipe.tables["compute"][verb]["measured"] not in recipe.measured
+    ])  # fmt: skip
+
+
+def _refuse_ambiguous_names(recipe: Recipe) -> None:
+    """A key that varies and a figure of the same name may have other units, as load.torque has."""
+    varied = {*recipe.first, *(path for path, _ in recipe.links)} & recipe.figure_names
+    both = varied & _figures_of_first(recipe) if any("." in path for path in varied) else set()
+    refuse([
+        Fault(f"figures.{name}", 0, expression.text, f"{used} is a key that varies and a figure",
+              f'let a name vary, such as T = {{ from = 1, to = 2 }}, write "{used}" = "T" under [vary], and T here')
+        for name, expression in recipe.figures for used in expression.names if used in both
+    ])  # fmt: skip
 
 
 def _refuse_figures(recipe: Recipe) -> None:
@@ -47,14 +69,18 @@ def _refuse_figures(recipe: Recipe) -> None:
 
 def _figure_names(recipe: Recipe) -> set[str]:
     """What the expressions under [figures] may name: keys, and all figures of the first drive."""
+    words = {key.path for key in recipe.keys if key.law == "list" and set(map(type, key.values)) == {str}}
+    return ({*recipe.constants, *recipe.linked(recipe.first)} - words) | _figures_of_first(recipe)
+
+
+def _figures_of_first(recipe: Recipe) -> set[str]:
     import hdconj
 
-    linked = recipe.linked(recipe.first)
-    words = {key.path for key in recipe.keys if key.law == "list" and set(map(type, key.values)) == {str}}
-    names = {*recipe.constants, *linked} - words
+    scene = recipe.scene_of(recipe.linked(recipe.first))
+    names: set[str] = set()
     for verb, options in recipe.verbs:
         lean: dict[str, Any] = {"errors": False} if estimates_errors(verb) else {}
-        names |= set(figures_of(verb, getattr(hdconj, verb)(recipe.scene_of(linked), **options, **lean), False)[0])
+        names |= set(figures_of(verb, getattr(hdconj, verb)(scene, **options, **lean), False)[0])
     return names
 
 

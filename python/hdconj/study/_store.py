@@ -211,17 +211,23 @@ class Folder:
             return True
         return False
 
+    def same(self, recipe: Recipe, kind: str) -> dict[str, Any] | None:
+        """What study.json says of this study; None where the folder has none yet, a fault where it is another's."""
+        if not (self.place / "study.json").exists():
+            return None
+        about, ours = self.about(), identity_of(recipe, kind)
+        for name, meaning in (("kind", "verb"), ("identity", "study"), ("program", "version of hdconj")):
+            if about.get(name) != ours[name]:
+                raise refuse(self.place, f"holds rows of another {meaning}", "name another folder")
+        return about
+
     def begin(self, recipe: Recipe, kind: str) -> dict[str, Any]:
         """Makes the folder the one of this study, or finds that it is. Call it while it is locked."""
-        made = machine()
-        same = {"identity": recipe.identity(), "kind": kind, "program": made["program"], "format": FORMAT}
-        if (self.place / "study.json").exists():
-            about = self.about()
-            for name, meaning in (("kind", "verb"), ("identity", "study"), ("program", "version of hdconj")):
-                if about.get(name) != same[name]:
-                    raise refuse(self.place, f"holds rows of another {meaning}", "name another folder")
-        else:
-            about = {**same, "scene_sha256": hashlib.sha256(recipe.scene.to_toml().encode()).hexdigest(), **made}
+        about = self.same(recipe, kind) or {
+            **identity_of(recipe, kind),
+            "scene_sha256": hashlib.sha256(recipe.scene.to_toml().encode()).hexdigest(),
+            **machine(),
+        }
         self.note(about)  # first: from here on the folder is the study's
         names = copies(recipe.files)
         if names:
@@ -260,6 +266,12 @@ def _own_scene(recipe: Recipe) -> str:
     return 'scene = "scene.toml"\n' + given + recipe.text[end:]
 
 
+def identity_of(recipe: Recipe, kind: str) -> dict[str, Any]:
+    """What rows of one folder have in common."""
+    program = f"{hdconj.__version__} {hdconj._core.revision}"
+    return {"identity": recipe.identity(), "kind": kind, "program": program, "format": FORMAT}
+
+
 def machine() -> dict[str, Any]:
     """What computes: versions, revision, machine."""
     packages = {}
@@ -269,7 +281,6 @@ def machine() -> dict[str, Any]:
         except PackageNotFoundError:
             continue
     return {
-        "program": f"{hdconj.__version__} {hdconj._core.revision}",
         "build": hdconj._core.build,
         "python": sys.version.split()[0],
         "packages": packages,

@@ -45,11 +45,11 @@ def dominated(values: Floats, errors: Floats) -> Bools:
 class Study:
     """The folder of a study; see :func:`hdconj.study.open`."""
 
-    def __init__(self, place: str | os.PathLike[str]) -> None:
+    def __init__(self, place: str | os.PathLike[str], recipe: Recipe | None = None) -> None:
         self.folder = Folder(place)
         self.about: dict[str, Any] = self.folder.about()
         """Versions, machine, hash of the scene, units: what study.json says."""
-        self.recipe: Recipe = load_recipe(Path(place) / "study.toml")
+        self.recipe: Recipe = recipe or load_recipe(Path(place) / "study.toml")
 
     def _shards(self, part: str) -> Iterator[tuple[Any, dict[str, Any]]]:
         """Shards of the drives that the study has now: its count may be less than when they were computed."""
@@ -127,10 +127,8 @@ class Study:
             raise refuse("number of drives (-n)", f"{count} is less than one", "write a whole number from 1")
         if not self.recipe.objectives:
             raise refuse(self.folder.place, "nothing says what is better", "write [objectives] into its study.toml")
-        rows = self.frame[self.feasible()]
-        with_errors = self._read("survivors") if again else None
-        if with_errors is not None and not with_errors.empty:
-            rows = with_errors[self.feasible(with_errors)]
+        rows = self._survivors() if again and self.recipe.survivors else self.frame
+        rows = rows[self.feasible(rows)]
         rows = rows.drop_duplicates([key.path for key in self.recipe.keys])  # lists and steps make a drive again
         values, errors = self.objectives(rows)
         if values.shape[1] > 1:
@@ -144,6 +142,17 @@ class Study:
         chosen = rows.iloc[order].reset_index(drop=True)
         chosen.insert(0, "rank", _ranks(values[order, 0], np.nan_to_num(errors[order, 0])))
         return chosen
+
+    def _survivors(self) -> Any:
+        """The drives that survive as the study is now, each as it was computed last."""
+        import pandas
+
+        first = self.best(self.recipe.survivors, again=False).drop(columns="rank", errors="ignore")
+        second = self._read("survivors")
+        if second.empty:  # none yet, or nothing to compute again
+            return self.frame
+        second = second[second["sample"].isin(first["sample"])]
+        return pandas.concat([second, first[~first["sample"].isin(second["sample"])]]).sort_values("sample")
 
     def values(self, row: Mapping[str, Any]) -> dict[str, Value]:
         """Values of all keys of a row, links included."""
