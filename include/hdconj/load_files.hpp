@@ -31,6 +31,10 @@ void write_hdf5(LoadStudy const& study, std::filesystem::path const& file, Measu
 [[nodiscard]] std::string summary_json(LoadStudy const& study, std::vector<WrittenFile> const& written = {},
                                        Measurement const* measured = nullptr);
 
+/// What a measured curve says, alone, as the summary of a study has it beside the simulation.
+[[nodiscard]] std::string summary_text(Measurement const& measured);
+[[nodiscard]] std::string summary_json(Measurement const& measured);
+
 /// Names of the pictures of a study, for which NAME.svg or NAME.png stands.
 struct LoadPictures
 {

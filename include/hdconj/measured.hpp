@@ -56,17 +56,20 @@ struct MeasuredStiffness
     double largest_torque = 0;        ///< [N mm]
     double angle_step = 0;            ///< smallest difference of two angles: the resolution of the reading [rad]
     double middle = 0;                ///< of the loop at zero torque [rad]; what `twist` of a simulation counts from
+    double torque_middle = 0;         ///< of the loop [N mm]: the reading without load; taken out. 0: none was found
     std::vector<std::size_t> strays;  ///< samples left out: they leave the run of their neighbours
     Estimate drift;       ///< of the angle, over the whole log [rad]; taken out. Count 0: no branch is repeated
     Estimate loop_width;  ///< angle where the load has gone, from the positive side less from the negative one [rad]
     Estimate friction_width;  ///< of the loop's width what friction makes [rad]; count 0: too few samples near zero
     Estimate backlash;  ///< of the loop's width the rest, the jump between both sides [rad]; without friction_width
                         ///< the whole loop, or, with friction above no_load, as the stiffness not determined: count 0
-    Estimate first;     ///< stiffness of the first stage, over the loading branches that have a bend [N mm/rad]
-    Estimate second;    ///< stiffness of the second stage [N mm/rad]
-    Estimate knee;      ///< torque where they meet [N mm]
-    Estimate whole;     ///< stiffness of one line over each loading branch [N mm/rad]
-    int straight = 0;   ///< loading branches without a bend
+    Estimate
+        friction;      ///< torque that friction takes: half of what loading and unloading differ by at one angle [N mm]
+    Estimate first;    ///< stiffness of the first stage, over the loading branches that have a bend [N mm/rad]
+    Estimate second;   ///< stiffness of the second stage [N mm/rad]
+    Estimate knee;     ///< torque of the loading branches where they meet, which contains the friction [N mm]
+    Estimate whole;    ///< stiffness of one line over each loading branch [N mm/rad]
+    int straight = 0;  ///< loading branches without a bend
 };
 
 /// Shares of the largest torque at which the loop is looked at.
@@ -81,12 +84,13 @@ inline constexpr double near_zero = 0.12;  ///< up to here the unloading branch 
 /// Splits a curve where the torque turns, and evaluates each branch.
 ///
 /// The load cycles are 0, T, 0, -T, 0 in any number, beginning anywhere. Readings far from their neighbours are left
-/// out first. Where a part of the cycle is repeated, an even drift of the angle is found and taken out. The width of
-/// the loop is found for each cycle: a straight line through the samples of each unloading branch between no_load and
-/// near_zero is extended to zero torque. With fewer than three samples there, it goes through the two nearest to zero.
-/// Backlash is the jump between two parallel lines where a branch passes from one side to the other, at zero torque or,
-/// with friction, beyond it. The rest of the width is friction. Stiffness is found for each loading branch:
-/// stiffness_stages() of the angle over the torque, with negative branches turned round.
+/// out first, and so is the torque about which the loop is symmetric, where it is far from zero. Where a part of the
+/// cycle is repeated, an even drift of the angle is found and taken out. The width of the loop is found for each cycle:
+/// a straight line through the samples of each unloading branch between no_load and near_zero is extended to zero
+/// torque. With fewer than three samples there, it goes through the two nearest to zero. Backlash is the jump between
+/// two parallel lines where a branch passes from one side to the other, at zero torque or, with friction, beyond it.
+/// The rest of the width is friction. Stiffness is found for each loading branch: stiffness_stages() of the angle over
+/// the torque, with negative branches turned round.
 /// @throws InputError where the samples are no such loop: one sign only, no unloading, torque that falls with the angle
 [[nodiscard]] MeasuredStiffness measured_stiffness(MeasuredCurve const& curve);
 

@@ -119,6 +119,9 @@ class Group(Mapping[str, Member]):
         return {row[0]: self._figure(*row[1:]) for row in self._parts.figures}
 
     def _figure(self, value: str, error: str, unit: str, meaning: str, is_attribute: bool) -> Figure:
+        if value == error:  # one dataset of both
+            both = self.datasets[value].values
+            return Figure(both[0], both[1], unit, meaning)
         estimate = self._estimate(error, is_attribute) if error else None
         return Figure(self.attrs[value] if is_attribute else self[value], estimate, unit, meaning)
 

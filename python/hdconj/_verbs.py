@@ -133,8 +133,9 @@ def contact(
     asked = scene_of(scene)
     best = None if best_deg is None else interval("best_deg", best_deg)
     choices = (numbers("tilts_deg", tilts_deg), words("surfaces", surfaces), words("kinds", kinds))
+    options = (*choices, best, revolution, errors)
     with _calling(progress) as call:
-        return _results.ContactStudy._computed(_core.contact(asked._core, *choices, best, revolution, errors, *call), asked)
+        return _results.ContactStudy._computed(_core.contact(asked._core, *options, *call), asked)
 
 
 @checked

@@ -23,7 +23,7 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-/// Keeps the last number of each dataset, and the numbers among the attributes.
+/// Keeps the first and the last number of each dataset, and the numbers among the attributes.
 class LastNumbers final : public io::layout::GroupSink
 {
   public:
@@ -39,8 +39,10 @@ class LastNumbers final : public io::layout::GroupSink
         std::size_t const count = std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
         std::visit(
             [&](auto const* first) {
-                if constexpr (!std::is_same_v<decltype(first), std::string const*>)
+                if constexpr (!std::is_same_v<decltype(first), std::string const*>) {
                     columns_[name] = count > 0 ? static_cast<double>(first[count - 1]) : not_a_number;
+                    firsts_[name] = count > 0 ? static_cast<double>(first[0]) : not_a_number;
+                }
             },
             values);
     }
@@ -59,7 +61,8 @@ class LastNumbers final : public io::layout::GroupSink
     void append(nb::list& list, std::string const& path) const
     {
         for (io::layout::FigurePlace const& figure : figures_) {
-            std::optional<double> const value = own(figure.value, figure.is_attribute),
+            std::optional<double> const value = figure.value == figure.error ? first(figure.value)
+                                                                             : own(figure.value, figure.is_attribute),
                                         error = estimate(figure.error, figure.is_attribute);
             list.append(nb::make_tuple(text_of(path), text_of(figure.name), value.value_or(not_a_number),
                                        error ? nb::cast(*error) : nb::none(), figure.units));
@@ -69,13 +72,23 @@ class LastNumbers final : public io::layout::GroupSink
     }
 
   private:
-    [[nodiscard]] std::optional<double> own(std::string const& name, bool is_attribute) const
+    using Numbers = std::map<std::string, double>;
+    static std::optional<double> in(Numbers const& numbers, std::string const& name)
     {
-        auto const link = links_.find(name);
-        auto const& numbers = is_attribute ? attributes_ : columns_;
-        auto const found = numbers.find(!is_attribute && link != links_.end() ? link->second : name);
+        auto const found = numbers.find(name);
         return found == numbers.end() ? std::nullopt : std::optional(found->second);
     }
+    [[nodiscard]] std::string const& linked(std::string const& name) const
+    {
+        auto const link = links_.find(name);
+        return link != links_.end() ? link->second : name;
+    }
+    [[nodiscard]] std::optional<double> own(std::string const& name, bool is_attribute) const
+    {
+        return is_attribute ? in(attributes_, name) : in(columns_, linked(name));
+    }
+    /// Of a dataset of a value and its error.
+    [[nodiscard]] std::optional<double> first(std::string const& name) const { return in(firsts_, linked(name)); }
 
     /// In this group, or in one of its groups.
     [[nodiscard]] std::optional<double> at(std::string const& path, bool is_attribute) const
@@ -101,7 +114,7 @@ class LastNumbers final : public io::layout::GroupSink
     std::vector<std::string> order_;  ///< of the groups
     std::map<std::string, std::unique_ptr<LastNumbers>> groups_;
     std::map<std::string, std::string> links_;
-    std::map<std::string, double> columns_, attributes_;
+    Numbers columns_, firsts_, attributes_;
     std::vector<io::layout::FigurePlace> figures_;
 };
 

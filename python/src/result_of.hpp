@@ -49,10 +49,6 @@ inline std::string json_of(WireCut const& value)
 {
     return summary_json(value.programs, value.files, value.folder);
 }
-inline std::string json_of(Measurement const&)
-{
-    return "{}";
-}
 
 std::string summary_of(auto const& value)
 {
@@ -69,10 +65,6 @@ inline std::string summary_of(StoredAccuracy const& value)
 inline std::string summary_of(WireCut const& value)
 {
     return summary_text(value.programs, value.files);
-}
-inline std::string summary_of(Measurement const&)
-{
-    return "";
 }
 
 std::vector<std::string> missing_of(auto const&)

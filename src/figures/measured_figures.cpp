@@ -21,66 +21,59 @@ Rows<MeasuredStiffness> measured_curve_figures()
         figure<&T::angle_step>("angle_step", arcmin, "smallest difference of two angles",
                                {"in steps of", significant<3>}),
         figure<&T::middle>("middle", arcmin, "middle of the backlash"),
+        figure<&T::torque_middle>("torque_middle", newton_metre, "reading of the torque without load, taken out",
+                                  {"reading without load", significant<4>}),
         FigureOf<T>{"stray_readings", one, "readings left out: they leave the run of their neighbours",
                     [](T const& each) { return static_cast<double>(each.strays.size()); }}};
     return Rows<T>(rows);
 }
 
+namespace {
+
+template <Estimate MeasuredStiffness::*member>
+Estimate const& estimate(MeasuredStiffness const& found)
+{
+    return found.*member;
+}
+
+std::optional<double> not_simulated(LoadCase const&)
+{
+    return std::nullopt;
+}
+
+std::optional<double> simulated_backlash(LoadCase const& each)
+{
+    return each.backlash;
+}
+
+template <double StiffnessStages::*member>
+std::optional<double> simulated(LoadCase const& each)
+{
+    return each.stages.found ? std::optional(each.stages.*member) : std::nullopt;
+}
+
+std::optional<double> simulated_line(LoadCase const& each)
+{
+    return each.stages.found || each.stages.first == 0 ? std::nullopt : std::optional(each.stages.first);
+}
+
+}  // namespace
+
 std::span<MeasuredFigure const> measured_figures()
 {
-    using Found = MeasuredStiffness const&;
-    using Case = LoadCase const&;
-    using Value = std::optional<double>;
-    constexpr auto not_simulated = [](Case) { return Value(); };
+    using F = MeasuredStiffness;
+    using S = StiffnessStages;
+    constexpr Unit per_degree = newton_metre_per_degree;
     static constexpr std::array figures = {
-        MeasuredFigure{{"backlash"},
-                       "backlash",
-                       arcmin,
-                       [](Found f) -> Estimate const& { return f.backlash; },
-                       1,
-                       [](Case c) { return Value(c.backlash); }},
-        MeasuredFigure{{"friction_width"},
-                       "width by friction",
-                       arcmin,
-                       [](Found f) -> Estimate const& { return f.friction_width; },
-                       1,
-                       not_simulated},
-        MeasuredFigure{{"loop_width"},
-                       "loop at zero torque",
-                       arcmin,
-                       [](Found f) -> Estimate const& { return f.loop_width; },
-                       1,
-                       not_simulated},
-        MeasuredFigure{{"drift"},
-                       "drift over the log",
-                       arcmin,
-                       [](Found f) -> Estimate const& { return f.drift; },
-                       1,
-                       not_simulated},
-        MeasuredFigure{{"first_stage"},
-                       "first stage",
-                       newton_metre_per_degree,
-                       [](Found f) -> Estimate const& { return f.first; },
-                       -2,
-                       [](Case c) { return c.stages.found ? Value(c.stages.first) : Value(); }},
-        MeasuredFigure{{"second_stage"},
-                       "second stage",
-                       newton_metre_per_degree,
-                       [](Found f) -> Estimate const& { return f.second; },
-                       -2,
-                       [](Case c) { return c.stages.found ? Value(c.stages.second) : Value(); }},
-        MeasuredFigure{{"knee"},
-                       "knee between them",
-                       newton_metre,
-                       [](Found f) -> Estimate const& { return f.knee; },
-                       -1,
-                       [](Case c) { return c.stages.found ? Value(c.stages.knee) : Value(); }},
-        MeasuredFigure{{"whole_branch", "whole"},
-                       "one line",
-                       newton_metre_per_degree,
-                       [](Found f) -> Estimate const& { return f.whole; },
-                       -2,
-                       [](Case c) { return c.stages.found || c.stages.first == 0 ? Value() : Value(c.stages.first); }}};
+        MeasuredFigure{{"backlash"}, "backlash", arcmin, estimate<&F::backlash>, 1, simulated_backlash},
+        MeasuredFigure{{"friction_width"}, "width by friction", arcmin, estimate<&F::friction_width>, 1, not_simulated},
+        MeasuredFigure{{"loop_width"}, "loop at zero torque", arcmin, estimate<&F::loop_width>, 1, not_simulated},
+        MeasuredFigure{{"drift"}, "drift over the log", arcmin, estimate<&F::drift>, 1, not_simulated},
+        MeasuredFigure{{"friction_torque"}, "friction", newton_metre, estimate<&F::friction>, -1, not_simulated},
+        MeasuredFigure{{"first_stage"}, "first stage", per_degree, estimate<&F::first>, -2, simulated<&S::first>},
+        MeasuredFigure{{"second_stage"}, "second stage", per_degree, estimate<&F::second>, -2, simulated<&S::second>},
+        MeasuredFigure{{"knee"}, "knee between them", newton_metre, estimate<&F::knee>, -1, simulated<&S::knee>},
+        MeasuredFigure{{"whole_branch", "whole"}, "one line", per_degree, estimate<&F::whole>, -2, simulated_line}};
     return figures;
 }
 

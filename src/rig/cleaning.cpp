@@ -17,16 +17,6 @@ double quantile(std::vector<double> values, double share)
     return *at;
 }
 
-/// Standard deviation of normal noise about zero by the upper quartile of its size, on which a fifth of strays has
-/// little influence. The median would be zero for readings in coarse steps.
-double deviation_of(std::vector<double> values)
-{
-    for (double& each : values)
-        each = std::abs(each);
-    constexpr double quartile = 1.1503;  // of |x| for standard normal x
-    return quantile(std::move(values), 0.75) / quartile;
-}
-
 /// Marks the values that leave the run of their neighbours.
 void mark_strays(std::vector<double> const& values, std::vector<bool>& stray)
 {
@@ -98,6 +88,14 @@ std::optional<Found> drift_between(Samples const& samples, LoadBranch const& ear
 }
 
 }  // namespace
+
+double deviation_of(std::vector<double> values)
+{
+    for (double& each : values)
+        each = std::abs(each);
+    constexpr double quartile = 1.1503;  // of |x| for standard normal x
+    return quantile(std::move(values), 0.75) / quartile;
+}
 
 double smallest_step(std::vector<double> values)
 {

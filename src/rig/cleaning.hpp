@@ -10,6 +10,10 @@
 
 namespace hdconj::rig {
 
+/// Standard deviation of normal noise about zero by the upper quartile of its size, on which a fifth of strays has
+/// little influence. The median would be zero for readings in coarse steps. Domain: not empty.
+[[nodiscard]] double deviation_of(std::vector<double> values);
+
 /// The smallest difference of two values; two that differ by less than 1e-9 of their range are one. Domain: not empty.
 [[nodiscard]] double smallest_step(std::vector<double> values);
 

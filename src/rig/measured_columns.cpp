@@ -121,6 +121,7 @@ MeasuredColumns measured_columns(std::string_view text, int line, std::string co
     columns.separator = file::separator_of(text);
     HeaderReading const reading{line, name, columns, faults};
     auto const headings = file::fields_of(text, columns.separator);
+    columns.count = headings.size();
     std::vector<std::string_view> unknown;
     for (std::size_t i = 0; i < headings.size(); ++i)
         if (!read_heading(reading, headings[i], i))

@@ -24,6 +24,7 @@ struct MeasuredColumn
 struct MeasuredColumns
 {
     char separator = ',';
+    std::size_t count = 0;
     MeasuredColumn torque, current, angle, position;
 };
 

@@ -93,13 +93,14 @@ RigInputs rig_inputs(MeasuredColumns const& columns, RigOptions const& rig, doub
 struct CurveColumns
 {
     char separator;
+    std::size_t count;
     MeasuredColumn torque, angle;
 };
 
 CurveColumns curve_columns(MeasuredColumns const& columns, RigInputs const& rig)
 {
     bool const has_current = columns.current.given(), has_counts = columns.position.given();
-    CurveColumns curve{columns.separator, has_current ? columns.current : columns.torque,
+    CurveColumns curve{columns.separator, columns.count, has_current ? columns.current : columns.torque,
                        has_counts ? columns.position : columns.angle};
     curve.torque.factor *= has_current ? rig.torque_constant * rig.ratio * rig.efficiency * newton_metre : 1;
     curve.angle.factor *= has_counts ? 2 * std::numbers::pi / (rig.counts_per_turn * rig.ratio) : 1;
@@ -132,6 +133,14 @@ bool read_row(CurveColumns const& columns, std::string_view text, int line, Meas
 {
     MeasuredCurve& curve = result.curve;
     auto const fields = file::fields_of(text, columns.separator);
+    bool const has_more = std::any_of(fields.begin() + std::ptrdiff_t(std::min(columns.count, fields.size())),
+                                      fields.end(), [](std::string_view each) { return !each.empty(); });
+    if (has_more)
+        result.faults.push_back({"line", line, "",
+                                 fmt::format("has {} fields for {} columns", fields.size(), columns.count),
+                                 "name every column in the first line, write decimals with a point, or separate the "
+                                 "fields by semicolons",
+                                 curve.file});
     auto const torque = value_of(columns.torque, fields, line, curve.file, result.faults);
     auto const angle = value_of(columns.angle, fields, line, curve.file, result.faults);
     if (torque && angle) {

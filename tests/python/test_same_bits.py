@@ -103,7 +103,10 @@ def test_load_beside_a_measurement(member, tmp_path):
     words = ["load", "--set=slices.count=3", "--torque=10", "--no-curve", "--no-errors", f"--measured={file}"]
     words += [f"--{name.replace('_', '-')}={value}" for name, value in rig.items()]
     compare(study, [*words, f"--output-member={member}"], tmp_path)
-    assert study.to_dict()["load"]["measured"]["cycles"] == 2
+    assert study.to_dict()["load"]["measured"] == measured.to_dict()
+    assert "knee between them [N m]" in measured.text()
+    value, error, unit, _ = measured.figures["backlash"]
+    assert (value, error, unit) == (*measured["backlash"], "rad")
     with pytest.raises(ValueError, match="read its file again"):
         hdconj.load(scene, measured=pickle.loads(pickle.dumps(measured)))
 

@@ -25,6 +25,7 @@ struct Rig
     double strays = 0;         ///< fraction of readings that are off
     double stray_size = 0;     ///< by this, either way [rad]
     double offset = 0;         ///< of the angle [rad]
+    double torque_offset = 0;  ///< what the torque reads without load [N mm]
     bool last_stretch = true;  ///< up to 1/28 of the torque again, as the thesis does
     unsigned seed = 1;
 };
@@ -43,7 +44,7 @@ inline MeasuredCurve rig_loop(Rig const& rig)
         double twist = elastic == 0 ? play * rig.drive.backlash / 2 : rig.drive.twist(elastic);
         twist += rig.offset + lag * rig.friction + rig.angle_noise * noise(random);
         curve.twist.push_back(rig.angle_step > 0 ? rig.angle_step * std::round(twist / rig.angle_step) : twist);
-        curve.torque.push_back(torque);
+        curve.torque.push_back(torque + rig.torque_offset);
         curve.line.push_back(static_cast<int>(curve.line.size()) + 2);
     };
     auto const run = [&](double from, double to, int steps) {

@@ -353,7 +353,8 @@ def _read_tables(reader: _Reader) -> Recipe | None:
         reader.told("compute.survivors", "nothing says which drives survive", "write [objectives]", survivors)
     for name, content in recipe.measured.items():
         if contents(scene, recipe.keys).get(name, content) != content:
-            reader.told("compute.load.measured", "has the name of another file of the scene", "write another name", name)
+            reason = "has the name of another file of the scene"
+            reader.told("compute.load.measured", reason, "write another name", name)
     reader.probe(scene, recipe)
     reader.ask_verbs(recipe)
     return recipe

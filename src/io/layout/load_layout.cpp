@@ -7,7 +7,6 @@
 
 #include "columns.hpp"
 #include "figures/load_figures.hpp"
-#include "figures/measured_figures.hpp"
 #include "results.hpp"
 
 namespace hdconj::io {
@@ -240,40 +239,7 @@ void write_pitch_errors(Writer const& place, PitchErrors const& errors)
     write("circular_spline", errors.circular_spline, "tooth_space");
 }
 
-void write_measured(Writer const& place, Measurement const& measured)
-{
-    auto const& [curve, found] = measured;
-    place.attribute("path", curve.file);
-    place.attribute("columns", curve.columns);
-    place.attribute("torque_constant_Nm_per_A", curve.rig.torque_constant);
-    place.attribute("counts_per_turn", curve.rig.counts_per_turn);
-    place.attribute("ratio", curve.rig.ratio);
-    place.attribute("efficiency", curve.rig.efficiency);
-    place.attribute("angle_per_spline", curve.rig.angle_per_spline);
-    layout::write_attributes(place, figures::measured_curve_figures(), found);
-    place.numbers("twist", curve.twist, {"rad", "twist of the samples at the output", {"sample"}});
-    place.numbers("torque", curve.torque, {"N mm", "torque of the samples at the output", {"sample"}});
-    for (auto const& figure : figures::measured_figures()) {
-        Estimate const& estimate = figure.value(found);
-        if (estimate.count == 0)
-            continue;
-        layout::write_named(place, figure.name, [&](char const* name) {
-            place.numbers(name, {estimate.value, estimate.error},
-                          {figure.unit.stored, std::string(figure.words) + ": value and standard error", {"estimate"}});
-        });
-        place.integers(std::string(figure.name.now) + "_count", {estimate.count},
-                       {"1", "number of values averaged", {"average"}});
-        if (figure.name.former != nullptr)
-            place.link(figure.name.now + std::string("_count"), figure.name.former + std::string("_count"));
-    }
-}
-
 }  // namespace
-
-void layout::write_result(Writer const& root, Measurement const& measured)
-{
-    write_measured(root, measured);
-}
 
 void layout::write_result(Writer const& root, LoadStudy const& study, Measurement const* measured)
 {
@@ -292,7 +258,7 @@ void layout::write_result(Writer const& root, LoadStudy const& study, Measuremen
             load.group("loaded_teeth", [&](Writer const& teeth) { write_teeth(teeth, study.teeth); });
         write_pitch_errors(load, study.pitch_errors);
         if (measured != nullptr)
-            load.group("measured", [&](Writer const& place) { write_measured(place, *measured); });
+            load.group("measured", [&](Writer const& place) { layout::write_result(place, *measured); });
     });
 }
 

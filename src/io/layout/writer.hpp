@@ -48,7 +48,7 @@ struct FigurePlace
 {
     std::string name;
     std::string value;
-    std::string error;  ///< "error/NAME" in the group `error`; empty: none
+    std::string error;  ///< "error/NAME" in the group `error`; as value: a dataset of both; empty: none
     char const* units;
     char const* meaning;
     bool is_attribute;

@@ -134,4 +134,9 @@ std::string summary_json(LoadStudy const& study, std::vector<WrittenFile> const&
     return report::finished(std::move(summary), study.solution, written);
 }
 
+std::string summary_json(Measurement const& measured)
+{
+    return report::measured_object(measured).dump(2);
+}
+
 }  // namespace hdconj

@@ -88,7 +88,8 @@ std::vector<RigSample> rig_samples(Measurement const& measured)
     double const drift = measured.found.drift.value / static_cast<double>(twist.size());
     double const half = static_cast<double>(twist.size() - 1) / 2;  // the middle of the log has no drift
     for (std::size_t i = 0; i < twist.size(); i += twist.size() / most + 1)
-        samples.push_back({twist[i] - measured.found.middle - drift * (static_cast<double>(i) - half), torque[i]});
+        samples.push_back({twist[i] - measured.found.middle - drift * (static_cast<double>(i) - half),
+                           torque[i] - measured.found.torque_middle});
     return samples;
 }
 

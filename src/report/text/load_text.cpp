@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "figures/load_figures.hpp"
-#include "figures/measured_figures.hpp"
 #include "load_table.hpp"
+#include "measured_text.hpp"
 
 namespace hdconj::report {
 namespace {
@@ -188,83 +188,6 @@ void write_load_places(Page& page, LoadStudy const& study)
     write_convergence(page, study);
 }
 
-std::string rig_text(MeasuredCurve const& curve)
-{
-    std::string text = curve.columns;
-    if (curve.rig.torque_constant != 0) {
-        text += fmt::format(", {:g} N m/A", curve.rig.torque_constant);
-        text += curve.rig.efficiency != 1 ? fmt::format(", efficiency {:g}", curve.rig.efficiency) : "";
-    }
-    text += curve.rig.counts_per_turn != 0 ? fmt::format(", {:g} counts per turn", curve.rig.counts_per_turn) : "";
-    text += curve.rig.torque_constant != 0 || curve.rig.counts_per_turn != 0
-                ? fmt::format(", ratio {:g}", curve.rig.ratio)
-                : "";
-    return text;
-}
-
-/// What was measured beside what is simulated; nothing where neither has a value.
-void write_estimate(Page& page, figures::MeasuredFigure const& figure, Measurement const& measured,
-                    LoadCase const* simulated)
-{
-    Estimate const& estimate = figure.value(measured.found);
-    auto value = simulated != nullptr ? figure.simulated(*simulated) : std::nullopt;
-    if (value)
-        *value *= std::pow(measured.curve.rig.angle_per_spline, figure.angles);
-    if (estimate.count == 0 && !value)
-        return;
-    auto const& unit = figure.unit;
-    page.line("  {:<30}{:>20}{:>12}   {}", fmt::format("{} [{}]", figure.words, unit.text),
-              estimate.count == 0
-                  ? "-"
-                  : fmt::format("{:.4g} +- {:.2g}", unit.shown(estimate.value), unit.shown(estimate.error)),
-              estimate.count, value ? fmt::format("{:.4g}", unit.shown(*value)) : "-");
-}
-
-/// Which readings were left out, by the lines of the file.
-void write_strays(Page& page, Measurement const& measured)
-{
-    auto const& strays = measured.found.strays;
-    if (strays.empty())
-        return;
-    constexpr std::size_t most = 10;
-    std::vector<int> lines;
-    for (std::size_t i = 0; i < std::min(most, strays.size()); ++i)
-        lines.push_back(measured.curve.line[strays[i]]);
-    page.line("  {} reading{} left out, far from {} neighbours: line{} {}{}", strays.size(), plural(strays.size()),
-              strays.size() == 1 ? "its" : "their", plural(strays.size()), fmt::join(lines, ", "),
-              strays.size() > most ? ", ..." : "");
-}
-
-void write_measured(Page& page, LoadStudy const& study, Measurement const& measured)
-{
-    auto const& [curve, found] = measured;
-    auto const* simulated = figures::shown_case(study);
-    Told const told(figures::measured_curve_figures(), found);
-    page.line("\nmeasured: {} ({})", curve.file, rig_text(curve));
-    page.line("  {} samples, {} load cycle{} up to {}, angles in steps of {}", curve.twist.size(), told("cycles"),
-              plural(static_cast<std::size_t>(found.cycles)), told.with_unit("largest_torque"),
-              told.with_unit("angle_step"));
-    page.line("  {:<30}{:>20}{:>12}{}", "", "measured", "of",
-              simulated != nullptr ? "   simulated: " + figures::case_name(*simulated) : "");
-    for (auto const& figure : figures::measured_figures())
-        write_estimate(page, figure, measured, simulated);
-    if (curve.rig.angle_per_spline != 1) {
-        page.line(
-            "  at the output, which is the cup: its angles are {:.6g} times those of the circular spline in the tables "
-            "above",
-            curve.rig.angle_per_spline);
-    }
-    write_strays(page, measured);
-    if (found.backlash.count == 0)
-        page.line("  friction leaves too few readings beyond the play: backlash and stiffness are not determined");
-    else if (found.friction_width.count == 0)
-        page.line("  too few readings near zero torque to tell the width by friction from backlash");
-    if (found.straight > 0) {
-        page.line("  {} of {} loading branches are one straight line and are left out of the stages", found.straight,
-                  found.whole.count);
-    }
-}
-
 }  // namespace
 
 std::string rated_torque(LoadStudy const& study)
@@ -286,8 +209,10 @@ std::string summary_text(LoadStudy const& study, std::vector<WrittenFile> const&
     report::write_stiffness(page, study);
     report::write_members(page, study);
     report::write_load_places(page, study);
-    if (measured != nullptr)
-        report::write_measured(page, study, *measured);
+    if (measured != nullptr) {
+        page.line("");
+        report::write_measured(page, figures::shown_case(study), *measured);
+    }
     report::write_notes(page, study.missing);
     if (auto const* shown = figures::shown_case(study))
         page.line("\ncup and circular spline in the result file: {}", figures::case_name(*shown));

@@ -137,6 +137,14 @@ TEST_CASE("a loop of friction alone has no backlash", "[load][measured]")
     CHECK(found.backlash.error < found.loop_width.value / 5);
 }
 
+TEST_CASE("a drift beyond the twist under load is found too", "[load][measured]")
+{
+    Rig rig;
+    rig.drift = 60 * minute;
+    rig.angle_noise = 0.02 * minute;
+    check_near(measured_stiffness(rig_loop(rig)).backlash, rig.drive.backlash, 0.1 * minute);
+}
+
 TEST_CASE("an even drift of the angle is found and taken out", "[load][measured]")
 {
     Rig rig;
@@ -270,6 +278,74 @@ TEST_CASE("coarse steps of an encoder are in the error of the loop and of backla
     }
 }
 
+/// Root of the mean of squared pulls of the backlash over seeds.
+double rms_pull(Rig rig)
+{
+    constexpr int tries = 60;
+    double squares = 0;
+    for (rig.seed = 1; rig.seed <= tries; ++rig.seed) {
+        Estimate const found = measured_stiffness(rig_loop(rig)).backlash;
+        squares += std::pow((found.value - rig.drive.backlash) / found.error, 2) / tries;
+    }
+    return std::sqrt(squares);
+}
+
+TEST_CASE("what the torque reads without load is taken out", "[load][measured]")
+{
+    for (double const offset : {-5.0, 2.5, 4.0, 6.0})
+        for (double const friction : {0.0, 1.0}) {
+            Rig rig;
+            rig.torque_offset = offset * nm;
+            rig.coulomb = friction * nm;
+            rig.cycles = 2;
+            rig.per_branch = 60;
+            rig.angle_noise = 0.02 * minute;
+            INFO(offset << " N m, friction " << friction << " N m");
+            auto const found = measured_stiffness(rig_loop(rig));
+            check_near(found.first, rig.drive.first, 0.02 * rig.drive.first);
+            CHECK(std::abs(found.torque_middle - rig.torque_offset) < 0.3 * nm);  // readings are 0.47 N m apart
+            CHECK(std::abs(found.friction.value - rig.coulomb) < 3 * found.friction.error);
+            CHECK(rms_pull(rig) < 1.25);
+        }
+    CHECK(measured_stiffness(rig_loop({})).torque_middle == 0);
+}
+
+TEST_CASE("the error of the backlash holds for few readings and for a bend near zero torque", "[load][measured]")
+{
+    Rig few;
+    few.cycles = 2;
+    few.angle_noise = 0.02 * minute;
+    for (int const per_branch : {20, 30, 60}) {
+        few.per_branch = per_branch;
+        INFO(per_branch << " readings from 0 to the largest torque");
+        CHECK(rms_pull(few) < 1.25);
+        CHECK(rms_pull(few) > 0.5);
+    }
+    Rig bent = few;
+    bent.drive.knee = 2.5 * nm;
+    bent.per_branch = 100;
+    CHECK(rms_pull(bent) < 1.25);
+    CHECK(rms_pull(bent) > 0.5);
+}
+
+TEST_CASE("steps of an encoder are in the error of the stiffness", "[load][measured]")
+{
+    for (double const step : {0.3, 0.5}) {
+        Rig rig;
+        rig.cycles = 2;
+        rig.per_branch = 60;
+        rig.angle_noise = 0.02 * minute;
+        rig.angle_step = step * minute;
+        for (rig.seed = 1; rig.seed <= 10; ++rig.seed) {
+            auto const found = measured_stiffness(rig_loop(rig));
+            INFO(step << "', seed " << rig.seed);
+            check_near(found.first, rig.drive.first, 2 * found.first.error);
+            check_near(found.second, rig.drive.second, 2 * found.second.error);
+            check_near(found.knee, rig.drive.knee, 2 * found.knee.error);
+        }
+    }
+}
+
 TEST_CASE("a curve written by hand has play and stiffness too", "[load][measured]")
 {
     Rig rig;
@@ -399,6 +475,9 @@ TEST_CASE("a file with faults says which where and what to write", "[load][measu
             ContainsSubstring("line 4: column 2, torque [N m]: is missing: the line has 1 field") &&
             ContainsSubstring("line 5: column 1, angle [deg] = nan: is no finite number") &&
             ContainsSubstring("line 6: column 2, torque [N m]: is empty"));
+    CHECK_THAT(refusal("angle [deg], torque [N m]\n1,5, 2,25\n"),
+               ContainsSubstring("line 2: line: has 4 fields for 2 columns") && ContainsSubstring("semicolons"));
+    CHECK(read("angle [deg], torque [N m]\n1,2,\n").faults.empty());
     CHECK_THAT(refusal("angle [deg]; torque [N m]\n1,5;2\n"),
                ContainsSubstring("= 1,5") && ContainsSubstring("point in place of the decimal comma"));
     CHECK_THAT(describe(read("current [A], position [counts]\n1,2\n").faults),

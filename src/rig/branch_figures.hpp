@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What each branch of a load cycle says: angle without load, stiffness, the jump by the backlash.
+#pragma once
+
+#include <vector>
+
+#include "branches.hpp"
+#include "fits.hpp"
+#include "found.hpp"
+
+namespace hdconj::rig {
+
+/// What all branches share.
+struct BranchLimits
+{
+    double loaded = 0;       ///< torque that a branch of a load cycle reaches [N mm]
+    double no_load = 0;      ///< below, the drive may lie anywhere in its backlash [N mm]
+    double window = 0;       ///< up to here a branch is straight [N mm]
+    double engaged = 0;      ///< torque from which the flanks touch in every loading branch [N mm]
+    double drift_error = 0;  ///< standard error of the drift [rad per reading]
+    Noise noise;
+};
+
+/// What all branches say.
+struct BranchFigures
+{
+    std::vector<Found> first, second, knee, whole;     ///< of loading branches
+    std::vector<Found> positive, negative;             ///< angles at zero torque of unloading branches, by side
+    std::vector<double> positive_time, negative_time;  ///< when the load was off
+    std::vector<Found> jumps;                          ///< from one side of the backlash to the other
+    int straight = 0;                                  ///< loading branches without a bend
+};
+
+/// All branches, each of which is straight up to the window of @p limits.
+/// @param friction  as friction_torque() finds it [N mm]
+[[nodiscard]] BranchFigures branch_figures(Samples const& samples, std::vector<LoadBranch> const& branches,
+                                           double friction, BranchLimits limits);
+
+}  // namespace hdconj::rig
