@@ -82,6 +82,14 @@ double rounded_up(double value, int digits)
     return rounded(near + std::pow(10.0, std::floor(std::log10(near)) + 1 - digits), digits);
 }
 
+double rounded_down(double value, int digits)
+{
+    double const near = rounded(value, digits);
+    if (near <= value)
+        return near;
+    return rounded(near - std::pow(10.0, std::floor(std::log10(near)) + 1 - digits), digits);
+}
+
 double Sheet::operator[](std::string_view symbol) const
 {
     for (auto const& row : rows_)

@@ -14,6 +14,7 @@ namespace hdconj::design {
 [[nodiscard]] double rounded(double value, int digits = 3);
 /// The least such value that is no smaller than @p value.
 [[nodiscard]] double rounded_up(double value, int digits = 3);
+[[nodiscard]] double rounded_down(double value, int digits = 3);
 
 /// Dimensions so far; later rows take earlier ones by their symbols.
 class Sheet

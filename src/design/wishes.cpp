@@ -12,6 +12,7 @@
 #include "hdconj/scene/schema.hpp"
 #include "hdconj/units.hpp"
 #include "scene/validation.hpp"
+#include "sheet.hpp"
 
 namespace hdconj {
 namespace design {
@@ -103,11 +104,12 @@ class WishFaults
                   "the nearest that works is --module " + short_number(*wishes_.diameter / teeth) + ", or --diameter " +
                       short_number(*wishes_.module * teeth) + ", or leave one of them out");
         else if (has_module && !has_diameter && !diameters.contains(*wishes_.module * teeth))
-            fault("--module", short_number(*wishes_.module),
-                  "d_r = m z_f would be " + short_number(*wishes_.module * teeth) +
+            fault("--module", number_text(*wishes_.module),
+                  "d_r = m z_f would be " + number_text(*wishes_.module * teeth) +
                       " mm, and the rules hold from 10 to 400 mm",
-                  "the nearest that works is " +
-                      short_number(std::clamp(*wishes_.module * teeth, diameters.low, diameters.high) / teeth));
+                  "the nearest that works is " + short_number(*wishes_.module * teeth < diameters.low
+                                                                  ? rounded_up(diameters.low / teeth, 6)
+                                                                  : rounded_down(diameters.high / teeth, 6)));
         else if (has_diameter && !has_module && diameters.contains(*wishes_.diameter) &&
                  !modules.contains(*wishes_.diameter / teeth))
             fault("--diameter", short_number(*wishes_.diameter),
@@ -145,11 +147,10 @@ class WishFaults
     /// A steel of the table, or the figures of another one.
     void material(std::vector<std::string_view> const& known)
     {
-        if (wishes_.fatigue)
-            positive("--fatigue", *wishes_.fatigue, "write a stress in MPa such as 550");
+        if (wishes_.fatigue && positive("--fatigue", *wishes_.fatigue, "write a stress in MPa such as 550"))
+            within("--fatigue", *wishes_.fatigue, {10, 5000}, "a fatigue strength in MPa, 550 of a good steel");
         if (wishes_.youngs_modulus && positive("--youngs-modulus", *wishes_.youngs_modulus, "write 206000"))
-            within("--youngs-modulus", *wishes_.youngs_modulus,
-                   {scene::bounds::least_modulus, scene::bounds::largest_modulus},
+            within("--youngs-modulus", *wishes_.youngs_modulus, {1000, scene::bounds::largest_modulus},
                    "a modulus of elasticity in MPa, 206000 of steel");
         if (wishes_.poissons_ratio)
             within("--poissons-ratio", *wishes_.poissons_ratio, {0, scene::bounds::largest_poissons_ratio},

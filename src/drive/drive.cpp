@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drive.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "base/text.hpp"
+#include "curvature_faults.hpp"
 #include "elastic_cup.hpp"
 #include "fault_advice.hpp"
 #include "hdconj/check.hpp"
@@ -186,73 +188,16 @@ void validate_geometry(Scene const& scene, profile::Profile const& tooth, PairGe
                           "leave root_clearance out, or give the tooth a tip land"});
 }
 
-/// Where the neutral curve bends least.
-struct Flattest
+/// Whether the first of @p faults of the geometry is another one, or none, with the usual radial deformation.
+bool depends_on_deformation(Scene const& scene, profile::Profile const& tooth, Faults const& faults)
 {
-    /// Curvature times a positive length squared; not above 0: hollow.
-    double bend = std::numeric_limits<double>::infinity();
-    double where = 0;  ///< [rad]
-};
-
-Flattest flattest_place(wavegen::AnyWaveShape const& shape, double r_m)
-{
-    constexpr int probes = 1440;
-    double const half_lobe = std::numbers::pi / shape.waves();
-    Flattest found;
-    for (int i = 0; i <= probes; ++i) {
-        double const u = half_lobe * (2.0 * i / probes - 1);
-        wavegen::RadialDisplacement const d = shape(u);
-        double const rho = r_m + d.w;
-        double const bend = rho * rho + 2 * d.w1 * d.w1 - rho * d.w2;
-        if (!(bend >= found.bend))
-            found = {bend, u};
-    }
-    return found;
-}
-
-/// The largest radial deformation below the scene's that leaves no hollow, by halving, rounded down to what a user
-/// types; 0 where there is none.
-double largest_deformation(Scene scene, profile::Profile const& tooth, double r_m)
-{
-    constexpr std::string_view key = "radial_deformation";
-    constexpr int halvings = 40;
-    double low = 0, high = scene.wave_generator.shape.number(key).value_or(0);
-    for (int i = 0; i < halvings; ++i) {
-        double const middle = (low + high) / 2;
-        scene.wave_generator.shape.given.find(key)->second.value = middle;
-        Faults faults;
-        wavegen::AnyWaveShape const shape = wave_shape(scene, tooth, faults);
-        bool const convex = faults.empty() && flattest_place(shape, r_m).bend > 0;
-        (convex ? low : high) = middle;
-    }
-    if (!(low > 0))
-        return 0;
-    double const step = std::pow(10.0, std::floor(std::log10(low)) - 3);
-    return std::floor(low / step) * step;
-}
-
-/// The deformed neutral curve must be convex: a ring on a wave generator never bends inwards.
-void validate_curvature(Scene const& scene, profile::Profile const& tooth, wavegen::AnyWaveShape const& shape,
-                        double r_m, Faults& faults)
-{
-    Flattest const flattest = flattest_place(shape, r_m);
-    if (flattest.bend > 0)
-        return;
-    scene::FamilyChoice const& choice = scene.wave_generator.shape;
-    std::string const reason =
-        "the neutral curve would be hollow at " + short_number(to_deg(flattest.where)) + " degrees from the major axis";
-    if (!choice.has("radial_deformation")) {
-        faults.push_back({choice.path + ".file", choice.line_of("file"), choice.text_of("file"), reason,
-                          "write smaller radial displacements, or smooth them"});
-        return;
-    }
-    double const largest = largest_deformation(scene, tooth, r_m);
-    scene::Advice const usual = scene::usual_pair(scene, shape.amplitude());
-    faults.push_back({choice.path + ".radial_deformation", choice.line_of("radial_deformation"),
-                      choice.text_of("radial_deformation"), reason,
-                      (largest > 0 ? "write at most " + short_number(largest) : std::string("write a smaller one")) +
-                          (usual.words.empty() ? "" : "; usual is " + usual.words)});
-    faults.back().set = usual.set;
+    if (faults.empty())
+        return false;
+    Faults usual;
+    validate_geometry(scene, tooth, pair_geometry(scene, tooth, scene::usual_deformation(scene.drive)), usual);
+    return std::ranges::none_of(usual, [&](Fault const& each) {
+        return each.path == faults.front().path && each.reason == faults.front().reason;
+    });
 }
 
 /// Motion model against wave generator: "material" needs a shape that a Fourier series follows.
@@ -278,7 +223,9 @@ Faults check_scene(Scene const& scene)
     wavegen::AnyWaveShape const shape = drive::wave_shape(scene, tooth, faults);
     if (tooth.pieces.empty() || !faults.empty()) {
         double const w0 = scene.wave_generator.shape.number_or("radial_deformation", 0);
-        drive::say_likely_cause(scene, w0, false, faults);
+        bool const is_of_wave = !faults.empty() && faults.front().path.starts_with(scene.wave_generator.shape.path);
+        if (is_of_wave)
+            drive::say_likely_cause(scene, w0, false, faults);
         return faults;
     }
     // without it there is no place to check the bearing at, and that it is missing is said elsewhere
@@ -290,7 +237,8 @@ Faults check_scene(Scene const& scene)
     drive::validate_curvature(scene, tooth, shape, drive::ring_geometry(scene, tooth).r_m, faults);
     if (faults.empty()) {
         drive::validate_geometry(scene, tooth, drive::pair_geometry(scene, tooth, shape.amplitude()), faults);
-        drive::say_likely_cause(scene, shape.amplitude(), true, faults);
+        if (drive::depends_on_deformation(scene, tooth, faults))
+            drive::say_likely_cause(scene, shape.amplitude(), true, faults);
         drive::validate_yielding(scene, tooth, drive::pair_geometry(scene, tooth, shape.amplitude()), faults);
     }
     return faults;

@@ -6,6 +6,8 @@
 
 #include "base/text.hpp"
 #include "checks.hpp"
+#include "hdconj/check.hpp"
+#include "hdconj/judgement.hpp"
 #include "hdconj/units.hpp"
 #include "limits.hpp"
 #include "scene/usual_drive.hpp"
@@ -25,13 +27,22 @@ double flank_length(Solution const& solution)
     return std::min(left, right);
 }
 
+constexpr double near = 0.02;  // of the usual deformation: as good as that
+
+/// Whether the flexspline's tooth can be made with that addendum and keeps its tip land.
+bool has_tip_land(Scene scene, double addendum)
+{
+    scene.flexspline.profile.given.at("addendum").value = addendum;
+    return check_scene(scene).empty() &&
+           std::ranges::none_of(judge(scene), [](Note const& note) { return note.code == NoteCode::tip_land; });
+}
+
 /// What makes flanks touch longer; empty where nothing is known.
 scene::Advice better_flank(Solution const& solution)
 {
     Scene const& scene = solution.scene;
     scene::FamilyChoice const& tooth = scene.flexspline.profile;
     // off the usual deformation the tip's corner sweeps the flank away
-    constexpr double near = 0.02;
     double const ratio = scene::deformation_ratio(scene.drive, solution.geometry.w0);
     bool const usual = scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth == scene.wave_generator.waves;
     scene::Advice advice;
@@ -40,8 +51,9 @@ scene::Advice better_flank(Solution const& solution)
     scene::add_pressure_angle(scene, advice);
     constexpr double low = 0.85, high = 0.9;  // modules
     auto const addendum = tooth.number("addendum");
-    if (advice.set.empty() && addendum && *addendum < low * scene.drive.module)
-        advice.add(tooth.path + ".addendum", short_number(high * scene.drive.module, 3));
+    if (double const higher = high * scene.drive.module;
+        advice.set.empty() && addendum && *addendum < low * scene.drive.module && has_tip_land(scene, higher))
+        advice.add(tooth.path + ".addendum", short_number(higher, 3));
     return advice;
 }
 
@@ -108,7 +120,7 @@ std::optional<Note> undercut(Solution const& solution)
                   short_number(to_deg(contact.lost), 3) + " more up to a cusp are cut away by other contacts";
     Scene const& scene = solution.scene;
     scene::Advice const usual = scene::usual_pair(scene, std::nullopt);
-    bool const off = scene::deformation_ratio(scene.drive, solution.geometry.w0) > 1;
+    bool const off = scene::deformation_ratio(scene.drive, solution.geometry.w0) > 1 + near;
     note->advice =
         (off ? "write " + usual.words + ", or" : std::string("write")) + " a flank with a larger radius there";
     if (off)

@@ -1,10 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The plan of a verb by its name.
+#include <utility>
+
+#include "hdconj/contact.hpp"
 #include "hdconj/load.hpp"
 #include "hdconj/running.hpp"
 #include "hdconj/solve.hpp"
+#include "hdconj/units.hpp"
 
 namespace hdconj {
+namespace {
+
+/// What the verb would refuse. A torque may still come with the command.
+Faults faults_of(Scene const& scene, std::string const& verb)
+{
+    if (verb == "contact")
+        return check_contact(scene, {});
+    LoadOptions options;
+    if (!scene.load || !scene.load->torque) {
+        options.torque = newton_metre;
+        options.curve = false;
+    }
+    return check_load(scene, options);
+}
+
+}  // namespace
 
 Plan plan_of(Scene const& scene, std::string const& verb, std::string const& place)
 {
@@ -17,6 +37,8 @@ Plan plan_of(Scene const& scene, std::string const& verb, std::string const& pla
                                "leave it out, or use the scene that hdconj solve --completed writes"});
     if (verb == "run")
         return plan_run(scene);
+    if (Faults faults = faults_of(scene, verb); !faults.empty())
+        throw InputError(std::move(faults));
     return verb == "load" ? make_plan(loaded_scene(scene), Verb::load) : make_plan(scene, Verb::contact);
 }
 

@@ -90,7 +90,7 @@ void add_pressure_angle(Scene const& scene, Advice& advice)
     FamilyChoice const& tooth = scene.flexspline.profile;
     auto const angle = tooth.number("pressure_angle_deg");
     bool const plain = tooth.family == "straight" || tooth.family == "involute";
-    if (plain && angle && *angle < rack + turning / scene.drive.flexspline_teeth)
+    if (plain && angle && *angle < std::min(good, rack + turning / scene.drive.flexspline_teeth))
         advice.add(tooth.path + ".pressure_angle_deg", short_number(good));
 }
 

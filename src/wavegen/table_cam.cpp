@@ -2,11 +2,13 @@
 #include "hdconj/wavegen/table_cam.hpp"
 #include "hdconj/units.hpp"
 
+#include <fmt/format.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_spline.h>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "hdconj/base/tolerance.hpp"
 #include "hdconj/error.hpp"
@@ -135,6 +137,29 @@ RadialDisplacement TableCam::operator()(double u) const
             6 * c.c3};
 }
 
+namespace {
+
+struct Gap
+{
+    double from, length;  // [rad]
+};
+
+/// The longest gap between rows, or from the last to the first of the next wave, where it is more than a quarter of the
+/// wave and several of the usual gaps: a part of the wave was left out.
+std::optional<Gap> long_gap(std::vector<double> const& angles, double wave)
+{
+    constexpr double part = 0.25, several = 3;
+    std::vector<Gap> gaps;
+    for (std::size_t i = 0; i < angles.size(); ++i)
+        gaps.push_back({angles[i], (i + 1 < angles.size() ? angles[i + 1] : angles.front() + wave) - angles[i]});
+    std::ranges::sort(gaps, {}, &Gap::length);
+    double const usual = gaps[gaps.size() / 2].length;
+    Gap const longest = gaps.back();
+    return longest.length > std::max(part * wave, several * usual) ? std::optional(longest) : std::nullopt;
+}
+
+}  // namespace
+
 TableCam TableCam::build(scene::FamilyChoice const& choice, WaveGeneratorPlace const& place, Faults& faults)
 {
     std::size_t const before = faults.size();
@@ -174,6 +199,10 @@ TableCam TableCam::build(scene::FamilyChoice const& choice, WaveGeneratorPlace c
         return refuse(
             table.file + " holds " + std::to_string(angles.size()) + " rows of one wave, a periodic spline needs 4",
             "write at least 4 rows");
+    if (auto const gap = long_gap(angles, from_deg(wave)))
+        return refuse(fmt::format("no row lies in the {:.4g} degrees after {:.6g}, of a wave of {:g} degrees",
+                                  to_deg(gap->length), to_deg(gap->from), wave),
+                      "write rows over the whole wave, of a symmetric cam its other half too");
     auto const [low, high] = std::minmax_element(values.begin(), values.end());
     if (!(*high > *low))
         return refuse("all values are equal: the ring would stay round", "write the radial displacement over one wave");

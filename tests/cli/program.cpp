@@ -77,6 +77,10 @@ TEST_CASE("a wrong command line is refused", "[program]")
     check_bad_input(hdconj_run("solve --tolerence 1e-7"), "--set solver.tolerance=VALUE");
     check_bad_input(hdconj_run("check --for load --treads 1"), "Did you mean --threads?");
     check_bad_input(hdconj_run("check --set wedm.dialects=xyz"), "no dialect is called so");
+    std::string const given = HDCONJ_SOURCE_DIR "/data/scenes/circular-spline-given.toml";
+    check_bad_input(hdconj_run("check --for contact " + given), "contact needs the flexspline's tooth");
+    check_bad_input(hdconj_run("check --for load " HDCONJ_SOURCE_DIR "/data/scenes/s-tooth.toml"),
+                    "a load needs the cup's dimensions");
     check_bad_input(hdconj_run("--versoin"), "Did you mean --version?");
     CHECK_FALSE(contains(hdconj_run("check --bogus").err, "Did you mean"));
 }

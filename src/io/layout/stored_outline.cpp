@@ -89,7 +89,11 @@ std::vector<StoredCase> cases_of(StoredGroup const& place)
 
 StoredOutline stored_outline(StoredGroup const& result)
 {
-    require(result.attribute<std::string>("format") == "hdconj", "it is of another program");
+    auto const format = result.attribute<std::string>("format");
+    require(
+        format != "hdconj-neutral-curve",
+        "it holds the neutral curve of a wanted scene; take the drive that hdconj solve --completed DRIVE.toml writes");
+    require(format == "hdconj", "it is of another program");
     require(result.attribute<int>("format_version") <= format_version, "it was written by a newer version");
     auto const spline = result.group("circular_spline");
     StoredOutline stored{result.attribute<std::string>("scene"), outline_of(*spline), {}, {}, {}};

@@ -321,6 +321,31 @@ TEST_CASE("wishes that no design meets are all named with the nearest that works
     }
 }
 
+TEST_CASE("a module that is named as the nearest is within the rules", "[design]")
+{
+    for (auto const& [ratio, module] : {std::pair(31, 0.08), {31, 0.16129}, {45, 0.111111}, {241, 0.829876}}) {
+        DesignWishes wishes;
+        wishes.ratio = ratio;
+        wishes.module = module;
+        Faults const faults = check_design(wishes);
+        CAPTURE(ratio, module);
+        REQUIRE(faults.size() == 1);
+        wishes.module = std::stod(faults.front().remedy.substr(faults.front().remedy.rfind(' ')));
+        CHECK(check_design(wishes).empty());
+    }
+}
+
+TEST_CASE("the figures of another steel have ranges of their own", "[design]")
+{
+    DesignWishes wishes = type_50();
+    wishes.fatigue = 0.5;           // a unit of GPa
+    wishes.youngs_modulus = 206.0;  // likewise
+    Faults const faults = check_design(wishes);
+    REQUIRE(faults.size() == 2);
+    CHECK(faults[0].path == "--fatigue");
+    CHECK(faults[1].path == "--youngs-modulus");
+}
+
 TEST_CASE("the nearest side clearance that is named is the same from far and from near", "[design]")
 {
     for (double const asked : {1.0, 0.2, 0.16}) {

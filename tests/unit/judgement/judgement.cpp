@@ -11,7 +11,9 @@
 #include <optional>
 #include <sstream>
 
+#include "hdconj/check.hpp"
 #include "hdconj/error.hpp"
+#include "hdconj/read_scene.hpp"
 #include "hdconj/result_files.hpp"
 #include "hdconj/solve.hpp"
 #include "hdconj/units.hpp"
@@ -304,6 +306,32 @@ TEST_CASE("a wire that is too thick is named with the corner and the space", "[j
     CHECK_THAT(corner->cause, ContainsSubstring("the wire of [wedm] leaves up to"));
     CHECK_THAT(space->cause, ContainsSubstring("a slot of 1.52 mm"));
     CHECK(space->figure < 1);
+}
+
+TEST_CASE("advice is not what the scene has", "[judgement]")
+{
+    // of few teeth, 26 degrees are as good as any
+    Scene thirty =
+        read_scene(HDCONJ_SOURCE_DIR "/data/scenes/involute.toml", {"flexspline.profile.pressure_angle_deg=26"});
+    scene::Advice advice;
+    thirty.drive.flexspline_teeth = 30;
+    scene::add_pressure_angle(thirty, advice);
+    CHECK(advice.set.empty());
+    thirty.flexspline.profile.given.at("pressure_angle_deg").value = 20.0;
+    scene::add_pressure_angle(thirty, advice);
+    CHECK(advice.set.size() == 1);
+}
+
+TEST_CASE("a fault that the deformation does not make is not laid to it", "[judgement]")
+{
+    std::vector<std::string> const edits{"flexspline.wall=24.9", "wave_generator.radial_deformation=0.15"};
+    Faults const faults = check_scene(read_scene(HDCONJ_SOURCE_DIR "/data/scenes/points.toml", edits));
+    REQUIRE_FALSE(faults.empty());
+    CHECK(faults.front().path == "flexspline.wall");
+    CHECK_THAT(faults.front().reason, !ContainsSubstring("radial deformation"));
+    Faults const tooth = check_scene(builtin_scene({"flexspline.profile.addendum=0.6", edits[1]}));
+    REQUIRE_FALSE(tooth.empty());
+    CHECK_THAT(tooth.front().remedy, !ContainsSubstring("radial_deformation"));
 }
 
 TEST_CASE("a failure names the unusual radial deformation first, in the right direction", "[judgement]")

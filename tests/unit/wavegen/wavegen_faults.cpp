@@ -84,6 +84,8 @@ std::vector<BadTable> const tables{
     {"0,1\n45,0\n45,-1\n135,0\n", "does not increase"},
     {"0,1\n90,-1\n45,0\n135,0\n", "does not increase"},
     {"0,1\n45,0\n90,-1\n135,0\n190,1\n", "longer than one wave of 180"},
+    {"0,1\n10,0.9\n20,0.8\n30,0.5\n40,0.2\n", "no row lies in the 140 degrees after 40, of a wave of 180"},
+    {"-40,0.2\n-30,0.5\n-20,0.8\n-10,0.9\n0,1\n", "no row lies in the 140 degrees after 0"},
     {"0,1\n45,0\n90,-1\n135,0\n180,0.9\n", "closing row differs"},
     {"0,1\n45,1\n90,1\n135,1\n", "all values are equal"},
     {"0,-0.25\n45,0\n90,0.25\n135,0\n", "not at the major axis"},
