@@ -50,6 +50,19 @@ TEST_CASE("contact law: clearance and share do not depend on how many points the
     }
 }
 
+TEST_CASE("contact law: the area of drafted flanks does not depend on the slices", "[law][contact]")
+{
+    // branches of moved flanks cross at another place in each plane
+    Keys const drive{"tilt.angle_deg=0.3", "tilt.kind=draft", "coning.model=linear", "coning.bottom_to_middle=9"};
+    ContactState const many = only_case(with(drive, resolution(17, 200, "tilted"))).state;
+    for (int const slices : {2, 3, 5}) {
+        ContactState const few = only_case(with(drive, resolution(slices, 200, "tilted"))).state;
+        INFO(slices << " slices: " << few.flank_area << " +- " << few.flank_area_error);
+        CHECK(few.flank_area == Approx(many.flank_area).margin(few.flank_area_error + many.flank_area_error));
+        CHECK(few.flank_area_error < 2e-4 * few.flank_area);
+    }
+}
+
 TEST_CASE("contact law: the stated error of a share bounds its distance to that of many more planes", "[law][contact]")
 {
     struct Row

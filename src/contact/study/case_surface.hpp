@@ -62,6 +62,8 @@ class CaseSurface
     {
         return spec_.surface == ToothSurface::per_slice && context_->scene.coning;
     }
+    /// Whether planes have other offsets of one outline, whose branches cross elsewhere in each.
+    [[nodiscard]] bool is_drafted() const { return spec_.is_drafted(); }
     [[nodiscard]] bool is_ruled() const { return spec_.surface == ToothSurface::ruled; }
     /// Whether straight lines join the conjugate outlines of two end planes that differ.
     [[nodiscard]] bool is_ruled_on_cone() const { return is_ruled() && context_->scene.coning; }

@@ -19,7 +19,7 @@ struct Between
 };
 
 /// The flanks @p bare with @p parts intervals in place of each between two slices. The surface is straight there: one
-/// outline moved along its radii or its normals, or the lines of a ruled surface. Its normals turn, along which the
+/// outline moved along its radii, or the lines of a ruled surface. Its normals turn, along which the
 /// side clearance is laid.
 FlankGrid between_slices(FlankGrid const& bare, int parts, double width)
 {
@@ -93,7 +93,7 @@ FlankGrid const& RefinedFlanks::operator()(int parts)
 
 FlankGrid RefinedFlanks::made(int parts) const
 {
-    if (!solved_anew())
+    if (!solved_anew() && !surface_.is_drafted())
         return moved_into_material(between_slices(bare_, parts, surface_.context().width), offset_);
     CaseSurface finer = surface_;
     for (int i = 1; i < parts; i *= 2)
