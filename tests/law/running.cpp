@@ -343,6 +343,7 @@ TEST_CASE("what cannot run is told at once, with what to write", "[running]")
     Faults const faults = check_run(builtin_scene({"friction.flanks=0.1"}), options);
     REQUIRE(faults.size() == 1);
     CHECK(faults.front().path == "friction");
+    CHECK_THAT(faults.front().reason, ContainsSubstring("--torque is 0"));
     options.torque.reset();
     CHECK(check_run(builtin_scene({"friction.flanks=0.1"}), options).empty());
 }
