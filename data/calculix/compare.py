@@ -51,8 +51,8 @@ def main(name):
         print(f"{what}: {100 * share:.2g} % apart; {verdict}, the limit is {100 * limit:g} %")
     if all(share <= limit for _, share, limit in results):
         return 0
-    if name == "contact":
-        print("CalculiX may have ended in a wrong state of contact: write the deck with another number of --steps")
+    why = "CalculiX may have ended in a wrong state of contact, or t" if name == "contact" else "T"
+    print(f"{why}he elements are too coarse for this cup: write the deck with more --steps, such as 24 or 48")
     return 1
 
 
