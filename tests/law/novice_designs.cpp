@@ -2,6 +2,10 @@
 // First designs, and what the advice of faults, failures and warnings makes of them when it is followed once.
 #include "support/novice_designs.hpp"
 
+#include <map>
+#include <string>
+#include <vector>
+
 #include "support/catch.hpp"
 #include "support/followed_advice.hpp"
 
@@ -50,6 +54,32 @@ TEST_CASE("advice followed once solves nine in ten first designs, seven in ten w
     Count const count = followed_once(designs);
     CHECK(count.solved >= 0.9 * designs);
     CHECK(count.clean >= 0.7 * designs);
+}
+
+TEST_CASE("advice that is followed to its end comes to one", "[judgement]")
+{
+    constexpr int designs = 300, most = 8;
+    for (int seed = 0; seed < designs; ++seed) {
+        std::string const text = designs::Novice(static_cast<unsigned>(seed))();
+        std::map<std::string, std::string> followed;  // by key
+        std::string way;
+        int steps = 0;
+        for (bool goes_on = true; goes_on && steps < most; ++steps) {
+            std::vector<std::string> sets;
+            for (auto const& [key, each] : followed)
+                sets.push_back(each);
+            goes_on = false;
+            for (std::string const& each : outcome_of(text, sets).set) {
+                std::string& last = followed[key_of(each)];
+                goes_on = goes_on || last != each;
+                last = each;
+                way += each + "; ";
+            }
+            way += "then ";
+        }
+        INFO(text << way);
+        CHECK(steps < most);
+    }
 }
 
 TEST_CASE("the same of five hundred", "[.][judgement-of-500]")

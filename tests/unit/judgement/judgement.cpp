@@ -322,6 +322,35 @@ TEST_CASE("advice is not what the scene has", "[judgement]")
     CHECK(advice.set.size() == 1);
 }
 
+TEST_CASE("advice for longer contact keeps the tip land", "[judgement]")
+{
+    // touch longer with an addendum of 0.9 modules, which leaves a tip land of 0.32
+    Scene const scene = parse_scene(R"([drive]
+name = "two notes"
+module = 1.0
+flexspline_teeth = 240
+circular_spline_teeth = 242
+[flexspline]
+wall = 2.4
+[flexspline.profile]
+family = "straight"
+addendum = 0.7751
+dedendum = 1.1
+pressure_angle_deg = 30
+thickness = 1.358
+[wave_generator]
+family = "two-disc"
+radial_deformation = 1.0
+waves = 2
+wrap_angle_deg = 20
+)",
+                                    "two notes");
+    Notes const notes = judgement::notes_on(solve(scene));
+    auto const note = std::ranges::find(notes, NoteCode::flank_contact, &Note::code);
+    REQUIRE(note != notes.end());
+    CHECK(note->set.empty());
+}
+
 TEST_CASE("a fault that the deformation does not make is not laid to it", "[judgement]")
 {
     std::vector<std::string> const edits{"flexspline.wall=24.9", "wave_generator.radial_deformation=0.15"};
