@@ -136,10 +136,10 @@ MeasuredStiffness measured_stiffness(MeasuredCurve const& curve)
     result.angle_step = rig::smallest_step(samples.twist);
     auto const branches = rig::branches_of(samples.torque, measured_at::reversal * result.largest_torque);
     BranchLimits limits;
+    limits.noise.rounding = rig::rounding_of(samples.twist, result.angle_step);  // without the drift none are steps
     remove_drift(curve, branches, samples, limits, result);
     check_sense(curve, samples);
-    limits.noise = {rig::deviation_from_neighbours(samples, branches),
-                    rig::rounding_of(samples.twist, result.angle_step)};
+    limits.noise.deviation = rig::deviation_from_neighbours(samples, branches);
     remove_torque_offset(branches, limits.noise, samples, result);
     double const least = std::min(result.torque_middle - low, high - result.torque_middle);
     limits.loaded = measured_at::loaded * least;

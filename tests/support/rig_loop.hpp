@@ -43,7 +43,7 @@ inline MeasuredCurve rig_loop(Rig const& rig)
         play = elastic > 0 ? 1 : elastic < 0 ? -1 : play;
         double twist = elastic == 0 ? play * rig.drive.backlash / 2 : rig.drive.twist(elastic);
         twist += rig.offset + lag * rig.friction + rig.angle_noise * noise(random);
-        curve.twist.push_back(rig.angle_step > 0 ? rig.angle_step * std::round(twist / rig.angle_step) : twist);
+        curve.twist.push_back(twist);
         curve.torque.push_back(torque + rig.torque_offset);
         curve.line.push_back(static_cast<int>(curve.line.size()) + 2);
     };
@@ -65,6 +65,8 @@ inline MeasuredCurve rig_loop(Rig const& rig)
         curve.twist[i] += rig.drift * static_cast<double>(i) / static_cast<double>(curve.twist.size());
         if (rig.strays > 0 && chance(random) < rig.strays)
             curve.twist[i] += chance(random) < 0.5 ? -rig.stray_size : rig.stray_size;
+        if (rig.angle_step > 0)
+            curve.twist[i] = rig.angle_step * std::round(curve.twist[i] / rig.angle_step);
     }
     return curve;
 }

@@ -330,8 +330,9 @@ TEST_CASE("the error of the backlash holds for few readings and for a bend near 
 
 TEST_CASE("steps of an encoder are in the error of the stiffness", "[load][measured]")
 {
-    for (double const step : {0.3, 0.5}) {
+    for (auto const& [step, drift] : {std::pair(0.3, 0.0), {0.5, 0.0}, {0.3, 2.0}}) {
         Rig rig;
+        rig.drift = drift * minute;
         rig.cycles = 2;
         rig.per_branch = 60;
         rig.angle_noise = 0.02 * minute;
