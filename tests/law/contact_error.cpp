@@ -12,6 +12,7 @@
 #include "hdconj/units.hpp"
 #include "support/catch.hpp"
 #include "support/coned_drive.hpp"
+#include "support/contact_scenes.hpp"
 #include "support/polyline.hpp"
 
 namespace hdconj::test::contact_error_cases {
