@@ -91,8 +91,8 @@ def words(name: str, given: str | Sequence[str]) -> list[str]:
 
 
 def interval(name: str, given: Sequence[float]) -> tuple[float, float]:
-    """Of two numbers."""
+    """Of two numbers in either order."""
     ends = numbers(name, given)
     if len(ends) != 2:
         _refuse(name, "two numbers, such as (0, 0.3)", given)
-    return ends[0], ends[1]
+    return min(ends), max(ends)
