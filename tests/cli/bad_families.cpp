@@ -6,6 +6,7 @@
 #include "bad_families_table.hpp"
 #include "bad_scene_checks.hpp"
 #include "hdconj/profile/registry.hpp"
+#include "hdconj_run.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace hdconj::test::bad_families_cases {

@@ -4,6 +4,7 @@
 
 #include "bad_scene_checks.hpp"
 #include "hdconj/read_scene.hpp"
+#include "hdconj_run.hpp"
 
 namespace hdconj::test::bad_scenes_cases {
 
