@@ -33,6 +33,7 @@ void write_hdf5(LoadStudy const& study, std::filesystem::path const& file, Measu
 
 /// What a measured curve says, alone, as the summary of a study has it beside the simulation.
 [[nodiscard]] std::string summary_text(Measurement const& measured);
+/// The same figures as an object of JSON, as under "measured" of a study; keys in docs/reference/json.md.
 [[nodiscard]] std::string summary_json(Measurement const& measured);
 
 /// Names of the pictures of a study, for which NAME.svg or NAME.png stands.
