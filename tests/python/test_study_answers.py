@@ -301,6 +301,15 @@ def test_a_refused_search_leaves_the_folder_as_it_was(search, tmp_path):
     assert len(search(text + limits.format(1), "nsga2", 4, tmp_path).frame) == 40
 
 
+def test_another_search_is_refused_where_rows_are_lost(search, tmp_path):
+    text, limits = HEAD + TWO + 'g = "min"\n', "[constraints]\nf = {{ max = {} }}\n"
+    search(text + limits.format(1), "nsga2", 3, tmp_path)
+    for shard in (tmp_path / "rows").iterdir():
+        shard.unlink()
+    with pytest.raises(hdconj.InputError, match="asks for other drives"):
+        search(text + limits.format(0.1), "nsga2", 3, tmp_path)
+
+
 SURVIVING = """
 scene = "SCENE"
 [set]

@@ -149,14 +149,9 @@ def _refuse_other_search(place: Folder, recipe: Recipe) -> None:
     """Refuses a study whose search does not ask for the drives that the folder holds; nothing is written."""
     study, search, first = Study(place.place, recipe), Search(recipe), 0
     for generation in range(int(recipe.optimise["generations"])):
-        file = _file_of(place, generation)
-        if not file.exists():
+        units = search.ask()
+        if units is None or not _is_stored(place, generation, units):
             return
-        stored, units = np.load(file), search.ask()
-        if units is None or not np.array_equal(stored, units):
-            refuse([
-                Fault(str(place.place), 0, "", "the search asks for other drives than before", "name another folder")
-            ])  # fmt: skip
         numbers = range(first, first + len(units))
         first += len(units)
         if place.missing(numbers):
@@ -168,10 +163,18 @@ def _file_of(place: Folder, generation: int) -> Path:
     return place.place / "asked" / f"{generation:06d}.npy"
 
 
+def _is_stored(place: Folder, generation: int, units: Any) -> bool:
+    """Whether a generation was asked for before; then it must be the same."""
+    file = _file_of(place, generation)
+    if file.exists() and not np.array_equal(np.load(file), units):
+        refuse([Fault(str(place.place), 0, "", "the search asks for other drives than before", "name another folder")])
+    return file.exists()
+
+
 def _asked(place: Folder, generation: int, units: Any) -> Any:
     """What the search asks, stored."""
     file = _file_of(place, generation)
-    if units is not None and not file.exists():
+    if units is not None and not _is_stored(place, generation, units):
         made = io.BytesIO()
         np.save(made, units)
         write_whole(file, made.getvalue())
