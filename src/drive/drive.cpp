@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drive.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -167,15 +166,20 @@ void validate_geometry(Scene const& scene, profile::Profile const& tooth, PairGe
                           "wall and dedendum leave no hole: the inner radius would be " +
                               short_number(g.flexspline_inner_radius) + " mm",
                           "write a thinner wall, or more teeth or a larger module"});
-    else if (!(g.r_m > g.w0))
-        faults.push_back({scene.wave_generator.shape.path + ".radial_deformation", 0, short_number(g.w0),
-                          "is not smaller than the neutral radius " + short_number(g.r_m) + " mm",
-                          "write " + short_number(scene::usual_deformation(scene.drive)) + ", m (z_c - z_f)/2"});
     else {
-        validate_tip_circle(scene, g, faults);
-        validate_width(scene, tooth, g, scene.is_reverse(), faults);
-        if (scene.is_reverse())
-            validate_space_depth(tooth, g, faults);
+        Faults deformed;  // may follow from the radial deformation
+        if (!(g.r_m > g.w0)) {
+            deformed.push_back({scene.wave_generator.shape.path + ".radial_deformation", 0, short_number(g.w0),
+                                "is not smaller than the neutral radius " + short_number(g.r_m) + " mm",
+                                "write " + short_number(scene::usual_deformation(scene.drive)) + ", m (z_c - z_f)/2"});
+        } else {
+            validate_tip_circle(scene, g, deformed);
+            validate_width(scene, tooth, g, scene.is_reverse(), scene.is_reverse() ? deformed : faults);
+            if (scene.is_reverse())
+                validate_space_depth(tooth, g, deformed);
+        }
+        say_likely_cause(scene, g.w0, true, deformed);
+        faults.insert(faults.begin(), deformed.begin(), deformed.end());
     }
     if (scene.tip_relief)
         validate_tip_relief(scene, tooth, faults);
@@ -186,18 +190,6 @@ void validate_geometry(Scene const& scene, profile::Profile const& tooth, PairGe
         faults.push_back({"circular_spline.root_clearance", 0, short_number(scene.circular_spline.root_clearance),
                           "the tooth has no flat or sharp tip whose trace could be moved outward",
                           "leave root_clearance out, or give the tooth a tip land"});
-}
-
-/// Whether the first of @p faults of the geometry is another one, or none, with the usual radial deformation.
-bool depends_on_deformation(Scene const& scene, profile::Profile const& tooth, Faults const& faults)
-{
-    if (faults.empty())
-        return false;
-    Faults usual;
-    validate_geometry(scene, tooth, pair_geometry(scene, tooth, scene::usual_deformation(scene.drive)), usual);
-    return std::ranges::none_of(usual, [&](Fault const& each) {
-        return each.path == faults.front().path && each.reason == faults.front().reason;
-    });
 }
 
 /// Motion model against wave generator: "material" needs a shape that a Fourier series follows.
@@ -220,11 +212,11 @@ Faults check_scene(Scene const& scene)
 {
     Faults faults;
     profile::Profile const tooth = drive::given_tooth(scene, faults);
+    bool const is_of_tooth = !faults.empty();
     wavegen::AnyWaveShape const shape = drive::wave_shape(scene, tooth, faults);
     if (tooth.pieces.empty() || !faults.empty()) {
         double const w0 = scene.wave_generator.shape.number_or("radial_deformation", 0);
-        bool const is_of_wave = !faults.empty() && faults.front().path.starts_with(scene.wave_generator.shape.path);
-        if (is_of_wave)
+        if (!is_of_tooth)
             drive::say_likely_cause(scene, w0, false, faults);
         return faults;
     }
@@ -237,8 +229,6 @@ Faults check_scene(Scene const& scene)
     drive::validate_curvature(scene, tooth, shape, drive::ring_geometry(scene, tooth).r_m, faults);
     if (faults.empty()) {
         drive::validate_geometry(scene, tooth, drive::pair_geometry(scene, tooth, shape.amplitude()), faults);
-        if (drive::depends_on_deformation(scene, tooth, faults))
-            drive::say_likely_cause(scene, shape.amplitude(), true, faults);
         drive::validate_yielding(scene, tooth, drive::pair_geometry(scene, tooth, shape.amplitude()), faults);
     }
     return faults;
