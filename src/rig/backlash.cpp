@@ -48,11 +48,8 @@ Fit lines_beside(Side const& low, Side const& high)
 /// Readings of a branch by ascending torque, without those that have no load.
 std::vector<std::size_t> loaded_readings(Samples const& samples, LoadBranch const& branch, double no_load)
 {
-    std::vector<std::size_t> at;
-    for (std::size_t i = branch.first; i <= branch.last; ++i)
-        if (std::abs(samples.torque[i]) >= no_load)
-            at.push_back(i);
-    std::ranges::stable_sort(at, {}, [&](std::size_t i) { return samples.torque[i]; });
+    std::vector<std::size_t> at = by_torque(samples, branch);
+    std::erase_if(at, [&](std::size_t i) { return std::abs(samples.torque[i]) < no_load; });
     return at;
 }
 
@@ -173,18 +170,10 @@ std::vector<double> half_differences(Samples const& samples, LoadBranch const& b
             continue;
         std::size_t const low = above[-1], high = *above;
         double const share = (samples.twist[i] - samples.twist[low]) / (samples.twist[high] - samples.twist[low]);
-        double const half = (samples.torque[i] - std::lerp(samples.torque[low], samples.torque[high], share)) / 2;
-        halves.push_back(branch.rising ? half : -half);
+        double const off = (samples.torque[i] - std::lerp(samples.torque[low], samples.torque[high], share)) / 2;
+        halves.push_back(branch.rising ? off : -off);
     }
     return halves;
-}
-
-/// Domain: not empty.
-double median_of(std::vector<double> values)
-{
-    auto const middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
 }
 
 }  // namespace
@@ -197,12 +186,12 @@ Found friction_torque(Samples const& samples, std::vector<LoadBranch> const& bra
         std::vector<double> const own = half_differences(samples, branches[b], branches[b + 1]);
         if (own.empty())
             continue;
-        pairs.push_back({median_of(own)});
+        pairs.push_back({quantile(own, 0.5)});
         halves.insert(halves.end(), own.begin(), own.end());
     }
     if (halves.empty())
         return {};
-    double const median = median_of(halves), n = static_cast<double>(halves.size());
+    double const median = quantile(halves, 0.5), n = static_cast<double>(halves.size());
     for (double& each : halves)
         each -= median;
     constexpr double of_median = 1.2533;  // its standard error over that of the mean, of normal noise
@@ -220,7 +209,7 @@ double unloaded_torque(Samples const& samples, std::vector<LoadBranch> const& br
     std::vector<Place> places;  // height 0: none that noise would not make
     double highest = 0;
     for (LoadBranch const& branch : branches) {
-        std::vector<std::size_t> const at = loaded_readings(samples, branch, 0);
+        std::vector<std::size_t> const at = by_torque(samples, branch);
         double const from = samples.torque[at.front()] + window, to = samples.torque[at.back()] - window;
         auto const place = from < to ? place_of_jump(samples, at, from, to, window) : std::nullopt;
         auto const jump = place ? jump_about(samples, at, {*place, window}, std::nullopt, noise) : std::nullopt;
@@ -236,7 +225,7 @@ double unloaded_torque(Samples const& samples, std::vector<LoadBranch> const& br
                 torques.push_back(each.torque);
         if (torques.empty())
             return std::nullopt;
-        double const middle = median_of(torques);
+        double const middle = quantile(torques, 0.5);
         auto const crosses = [&](Place const& each) {
             return each.rising == rising && each.from < middle && middle < each.to;
         };

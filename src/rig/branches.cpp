@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "branches.hpp"
 
+#include <algorithm>
+#include <numeric>
+
 namespace hdconj::rig {
 
 std::vector<LoadBranch> branches_of(std::vector<double> const& torque, double reversal)
@@ -28,6 +31,14 @@ std::vector<LoadBranch> branches_of(std::vector<double> const& torque, double re
     if (begin + 1 < torque.size())
         branches.push_back({begin, torque.size() - 1, torque.back() > torque[begin]});
     return branches;
+}
+
+std::vector<std::size_t> by_torque(Samples const& samples, LoadBranch const& branch)
+{
+    std::vector<std::size_t> at(branch.last - branch.first + 1);
+    std::iota(at.begin(), at.end(), branch.first);
+    std::ranges::stable_sort(at, {}, [&](std::size_t i) { return samples.torque[i]; });
+    return at;
 }
 
 }  // namespace hdconj::rig

@@ -25,4 +25,7 @@ struct LoadBranch
 /// Turning points are extremes from which the torque comes back by more than @p reversal [N mm].
 [[nodiscard]] std::vector<LoadBranch> branches_of(std::vector<double> const& torque, double reversal);
 
+/// Positions of the readings of a branch, by ascending torque.
+[[nodiscard]] std::vector<std::size_t> by_torque(Samples const& samples, LoadBranch const& branch);
+
 }  // namespace hdconj::rig

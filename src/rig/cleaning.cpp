@@ -3,19 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace hdconj::rig {
 namespace {
-
-/// The value that a share of the others lie below. Domain: not empty.
-double quantile(std::vector<double> values, double share)
-{
-    auto const at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
-    std::ranges::nth_element(values, at);
-    return *at;
-}
 
 /// Marks the values that leave the run of their neighbours.
 void mark_strays(std::vector<double> const& values, std::vector<bool>& stray)
@@ -50,11 +41,7 @@ struct Sorted
     std::vector<std::size_t> at;  ///< positions in the samples
     Samples const& samples;
 
-    Sorted(Samples const& of, LoadBranch const& branch) : at(branch.last - branch.first + 1), samples(of)
-    {
-        std::iota(at.begin(), at.end(), branch.first);
-        std::ranges::stable_sort(at, {}, [&](std::size_t i) { return of.torque[i]; });
-    }
+    Sorted(Samples const& of, LoadBranch const& branch) : at(by_torque(of, branch)), samples(of) {}
     /// Angle and time at a torque, between two samples; nothing outside.
     [[nodiscard]] std::optional<std::pair<double, double>> at_torque(double torque) const
     {
@@ -88,6 +75,13 @@ std::optional<Found> drift_between(Samples const& samples, LoadBranch const& ear
 }
 
 }  // namespace
+
+double quantile(std::vector<double> values, double share)
+{
+    auto const at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
+    std::ranges::nth_element(values, at);
+    return *at;
+}
 
 double deviation_of(std::vector<double> values)
 {

@@ -4,7 +4,6 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "cleaning.hpp"
 
@@ -14,9 +13,7 @@ double deviation_from_neighbours(Samples const& samples, std::vector<LoadBranch>
 {
     std::vector<double> differences;
     for (LoadBranch const& branch : branches) {
-        std::vector<std::size_t> at(branch.last - branch.first + 1);
-        std::iota(at.begin(), at.end(), branch.first);
-        std::ranges::stable_sort(at, {}, [&](std::size_t i) { return samples.torque[i]; });
+        std::vector<std::size_t> const at = by_torque(samples, branch);
         for (std::size_t k = 1; k + 1 < at.size(); ++k) {
             double const low = samples.torque[at[k - 1]], high = samples.torque[at[k + 1]];
             double const share = high > low ? (samples.torque[at[k]] - low) / (high - low) : 0.5;

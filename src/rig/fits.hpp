@@ -27,9 +27,9 @@ struct Noise
 /// The variance of a reading is that of the residuals and that of @p noise, which counts as four more of them: a few
 /// readings have small residuals by chance. Readings that the encoder gives the same angle share the error of its
 /// rounding, and so may the branches: with w the weights of the angles in the value it is the rounding times the root
-/// of the sum, over each run of one angle, of (sum of w)^2. Where steps and readings beat, residuals are like those
-/// before them: with the correlation r of neighbours the variance is (1 + r)/(1 - r) times as large. Both stand apart,
-/// in Found::shared.
+/// of the sum, over each run of one angle, of (sum of w)^2. Where the angle moves by about one step from reading to
+/// reading, neighbouring residuals are alike: with their correlation r the variance is (1 + r)/(1 - r) times as large.
+/// Both stand apart, in Found::shared.
 [[nodiscard]] Found fitted(Eigen::MatrixXd const& columns, Eigen::VectorXd const& angles, Eigen::VectorXd const& wanted,
                            Noise const& noise);
 
