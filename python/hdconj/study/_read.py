@@ -203,7 +203,7 @@ class _Reader:
                 text = text["value"]
             expression = self.expression(f"figures.{name}", text)
             if name in _TAKEN:
-                self.told(f"figures.{name}", "is another column's name in the rows too", "write another name")
+                self.told(f"figures.{name}", "the rows have a column of this name already", "write another name")
             if not re.fullmatch(r"[A-Za-z]\w*", name) or name.endswith("_error"):
                 self.told(
                     f"figures.{name}", "is no name of a figure", "write letters, digits and _; not _error at its end"
@@ -223,8 +223,7 @@ class _Reader:
         taken = {*_TAKEN, *figures, *(f"{name}_error" for name in figures)}
         for path in paths:
             if path in taken:
-                what = "a figure's" if path in figures else "another column's"
-                self.told(f"vary.{path}", f"is {what} name in the rows too", "write another name")
+                self.told(f"vary.{path}", "the rows have a column of this name already", "write another name")
 
     def constraints(self, figures: Any) -> dict[str, tuple[float, float]]:
         """Limits of figures."""

@@ -61,7 +61,7 @@ void write_changed(Page& page, LoadStudy const& study)
 {
     page.line(
         "  *: with the side clearance and tip circle of the scene the assembled teeth would press on both flanks, or "
-        "no land would be left; computed with what clears over a full turn of the unloaded cup:");
+        "no land would be left; computed with those that clear the unloaded cup's teeth over a full turn:");
     for (auto const& each : study.cases) {
         ToldLoad const told(figures::load_case_figures(), each);
         if (is_changed(each)) {
