@@ -148,10 +148,11 @@ class WishFaults
     void material(std::vector<std::string_view> const& known)
     {
         if (wishes_.fatigue && positive("--fatigue", *wishes_.fatigue, "write a stress in MPa such as 550"))
-            within("--fatigue", *wishes_.fatigue, {10, 5000}, "a fatigue strength in MPa, 550 of a good steel");
+            within("--fatigue", *wishes_.fatigue, {10, 5000},
+                   "no fatigue strength of a metal in MPa: a good steel has 550");
         if (wishes_.youngs_modulus && positive("--youngs-modulus", *wishes_.youngs_modulus, "write 206000"))
             within("--youngs-modulus", *wishes_.youngs_modulus, {1000, scene::bounds::largest_modulus},
-                   "a modulus of elasticity in MPa, 206000 of steel");
+                   "no modulus of elasticity of a metal in MPa: steel has 206000");
         if (wishes_.poissons_ratio)
             within("--poissons-ratio", *wishes_.poissons_ratio, {0, scene::bounds::largest_poissons_ratio},
                    "steel has 0.3");

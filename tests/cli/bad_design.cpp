@@ -59,7 +59,7 @@ std::vector<BadCommand> const& design_commands()
         {fifty + "--fatigue 0", "--fatigue = 0", "not a number above 0", "in MPa such as 550"},
         {fifty + "--fatigue 550MPa", "--fatigue", "'550MPa' is no finite number", "such as 550"},
         {fifty + "--youngs-modulus=-1", "--youngs-modulus = -1", "not a number above 0", "write 206000"},
-        {fifty + "--youngs-modulus 1e8", "--youngs-modulus = 1e+08", "206000 of steel", "works is 1e+07"},
+        {fifty + "--youngs-modulus 1e8", "--youngs-modulus = 1e+08", "steel has 206000", "works is 1e+07"},
         {fifty + "--poissons-ratio 0.6", "--poissons-ratio = 0.6", "steel has 0.3", "works is 0.499"},
         {fifty + "--land=-0.1", "--land = -0.1", "a tip land", "works is 0"},
         {fifty + "--land 2", "--land = 2", "a tip land", "works is 0.8"},

@@ -62,7 +62,8 @@ class CaseSurface
     {
         return spec_.surface == ToothSurface::per_slice && context_->scene.coning;
     }
-    /// Whether planes have other offsets of one outline, whose branches cross elsewhere in each.
+    /// Whether each plane has the same outline, moved along its normals by a different amount. Where moved branches
+    /// cross, and the flank ends, is another place in each plane.
     [[nodiscard]] bool is_drafted() const { return spec_.is_drafted(); }
     [[nodiscard]] bool is_ruled() const { return spec_.surface == ToothSurface::ruled; }
     /// Whether straight lines join the conjugate outlines of two end planes that differ.
