@@ -14,15 +14,30 @@ namespace hdconj::numeric {
 inline constexpr int bernstein_max_degree = 23;
 using BernsteinWork = std::array<double, bernstein_max_degree + 1>;
 
-/// Value at @p t by de Casteljau's scheme; degree = size - 1 <= bernstein_max_degree.
+/// Pascal's triangle, exact: n over k for k <= n <= bernstein_max_degree.
+inline constexpr auto binomials = [] {
+    std::array<BernsteinWork, bernstein_max_degree + 1> rows{};
+    for (std::size_t n = 0; n < rows.size(); ++n) {
+        rows[n][0] = 1;
+        for (std::size_t k = 1; k <= n; ++k)
+            rows[n][k] = rows[n - 1][k - 1] + rows[n - 1][k];
+    }
+    return rows;
+}();
+
+/// Value at @p t of degree n = size - 1 <= bernstein_max_degree: sum_k binomial(n, k) c_k t^k (1 - t)^(n - k) by
+/// Horner's scheme in 1 - t. All terms keep their sign on [0, 1], so that rounding moves the coefficients by at most
+/// some 4 n roundoffs of themselves, as de Casteljau's scheme does in n/2 times the work.
 [[nodiscard]] inline double bernstein_value(std::span<double const> c, double t)
 {
-    BernsteinWork w{};
-    std::copy(c.begin(), c.end(), w.begin());
-    for (std::size_t r = c.size() - 1; r > 0; --r)
-        for (std::size_t i = 0; i < r; ++i)
-            w[i] += t * (w[i + 1] - w[i]);
-    return w[0];
+    std::size_t const n = c.size() - 1;
+    double const rest = 1 - t;
+    double value = c[0], power = 1;
+    for (std::size_t k = 1; k <= n; ++k) {
+        power *= t;
+        value = value * rest + binomials[n][k] * power * c[k];
+    }
+    return value;
 }
 
 /// Derivative with respect to t, degree one less.
@@ -36,23 +51,17 @@ using BernsteinWork = std::array<double, bernstein_max_degree + 1>;
     return d;
 }
 
-/// Product; degrees add.
+/// Product; degrees add, to at most bernstein_max_degree.
 [[nodiscard]] inline std::vector<double> bernstein_product(std::span<double const> a, std::span<double const> b)
 {
-    auto const binomial = [](std::size_t n, std::size_t k) {
-        double value = 1;
-        for (std::size_t i = 0; i < k; ++i)
-            value = value * static_cast<double>(n - i) / static_cast<double>(i + 1);
-        return value;
-    };
     std::size_t const m = a.size() - 1;
     std::size_t const n = b.size() - 1;
     std::vector<double> p(m + n + 1, 0.0);
     for (std::size_t i = 0; i <= m; ++i)
         for (std::size_t j = 0; j <= n; ++j)
-            p[i + j] += binomial(m, i) * a[i] * binomial(n, j) * b[j];
+            p[i + j] += binomials[m][i] * a[i] * binomials[n][j] * b[j];
     for (std::size_t k = 0; k < p.size(); ++k)
-        p[k] /= binomial(m + n, k);
+        p[k] /= binomials[m + n][k];
     return p;
 }
 
