@@ -2,6 +2,8 @@
 #include "mesh_search.hpp"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 
@@ -16,6 +18,7 @@ namespace hdconj::design {
 namespace {
 
 constexpr int digits_of_radii = 6;
+constexpr std::size_t tried_ratios = 21;
 constexpr double drawn = 1e-4;  // chords of the outlines that are tried, in modules
 
 /// A tip circle tried with a radial deformation.
@@ -24,6 +27,13 @@ struct Attempt
     MeshTrial trial;
     bool too_small = false;  ///< a larger tip circle may work
 };
+
+/// The deformation ratio that is tried as number @p i.
+double ratio_of(std::size_t i)
+{
+    double const step = (scene::largest_usual_ratio - scene::least_usual_ratio) / (tried_ratios - 1);
+    return rounded(scene::least_usual_ratio + static_cast<double>(i) * step);
+}
 
 /// Whether @p note keeps a design from being taken. The land of the circular spline and the stress of the ring are
 /// compared with the wishes elsewhere. Straight and involute flanks touch over little more than a pitch at best.
@@ -117,7 +127,7 @@ class MeshSearch
             made.too_small = error.code() == ErrorCode::no_land || error.code() == ErrorCode::interference;
             trial.refusal = error.cause();
         } catch (InputError const& error) {
-            trial.refusal = error.what();
+            trial.refusal = error.faults().front().reason;
         }
         return made;
     }
@@ -215,20 +225,34 @@ std::vector<DesignRow> mesh_rows(Sheet const& sheet, DesignWishes const& wishes,
 
 MeshChoice search_mesh(Sheet const& sheet, DesignWishes const& wishes, double least_tip)
 {
-    constexpr int steps = 20;
     MeshChoice choice;
-    choice.trials.resize(steps + 1);
+    choice.trials.resize(tried_ratios);
     MeshSearch const search(sheet, wishes, least_tip);
-    parallel_for(choice.trials.size(), 0, 1, [&](std::size_t i) {
-        double const step = (scene::largest_usual_ratio - scene::least_usual_ratio) / steps;
-        choice.trials[i] = search(rounded(scene::least_usual_ratio + static_cast<double>(i) * step));
-    });
+    parallel_for(choice.trials.size(), 0, 1, [&](std::size_t i) { choice.trials[i] = search(ratio_of(i)); });
     choice.best = best_of(choice.trials);
     if (choice.best) {
         MeshTrial const& best = choice.trials[*choice.best];
         choice.rows = mesh_rows(sheet, wishes, best.ratio, best.tip_radius);
     }
     return choice;
+}
+
+MeshAnswer any_mesh(Sheet const& sheet, DesignWishes const& wishes)
+{
+    std::array<double, tried_ratios> usual_first{};
+    for (std::size_t i = 0; i < usual_first.size(); ++i)
+        usual_first[i] = ratio_of(i);
+    std::ranges::stable_sort(usual_first, {}, [](double ratio) { return std::abs(ratio - 1); });
+    std::atomic<bool> found = false, wall_stress = false;
+    MeshSearch const search(sheet, wishes, 0);
+    parallel_for(usual_first.size(), 0, 1, [&](std::size_t i) {
+        if (found)
+            return;
+        MeshTrial const trial = search(usual_first[i]);
+        found = found || trial.refusal.empty();
+        wall_stress = wall_stress || trial.wall_stress;
+    });
+    return {found, !found && wall_stress};
 }
 
 }  // namespace hdconj::design

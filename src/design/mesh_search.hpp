@@ -22,6 +22,16 @@ struct MeshChoice
 /// @param least_tip  no tip circle is smaller [mm]
 [[nodiscard]] MeshChoice search_mesh(Sheet const& sheet, DesignWishes const& wishes, double least_tip);
 
+/// Whether there is a mesh.
+struct MeshAnswer
+{
+    bool found = false;
+    bool wall_stress = false;  ///< not found, and a thinner wall would be stressed less
+};
+
+/// Whether search_mesh() finds one, without looking for the best: the usual deformations first, until one works.
+[[nodiscard]] MeshAnswer any_mesh(Sheet const& sheet, DesignWishes const& wishes);
+
 /// Why the trial of @p failed that is nearest to the usual deformation is refused.
 [[nodiscard]] std::string usual_refusal(MeshChoice const& failed);
 

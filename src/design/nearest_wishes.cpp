@@ -13,7 +13,7 @@ namespace {
 
 bool has_mesh(DesignWishes const& wishes)
 {
-    return check_design(wishes).empty() && mesh_with_wall(wishes).mesh.best.has_value();
+    return check_design(wishes).empty() && has_mesh_with_wall(wishes);
 }
 
 /// The value nearest to @p asked with which there is a mesh, between it and @p easiest, within a hundredth of itself or

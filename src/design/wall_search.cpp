@@ -14,6 +14,7 @@ namespace hdconj::design {
 namespace {
 
 constexpr int digits = 3;
+constexpr std::array walls_without_torque{0.014, 0.013, 0.012, 0.011, 0.01};  // over the pitch diameter
 
 /// Larger where more stress, or no result, makes the wall a worse one.
 double badness(WallTrial const& trial)
@@ -41,9 +42,8 @@ std::vector<DesignRow> MeshedSheet::rows() const
 
 MeshedSheet mesh_with_wall(DesignWishes const& wishes)
 {
-    constexpr std::array walls{0.014, 0.013, 0.012, 0.011, 0.01};  // over the pitch diameter
     MeshedSheet made;
-    for (double const wall : walls) {
+    for (double const wall : walls_without_torque) {
         made.sheet = sheet_of(wishes, wall);
         made.mesh = search_mesh(made.sheet, wishes, 0);
         auto const& trials = made.mesh.trials;
@@ -53,6 +53,16 @@ MeshedSheet mesh_with_wall(DesignWishes const& wishes)
             break;
     }
     return made;
+}
+
+bool has_mesh_with_wall(DesignWishes const& wishes)
+{
+    for (double const wall : walls_without_torque) {
+        MeshAnswer const answer = any_mesh(sheet_of(wishes, wall), wishes);
+        if (answer.found || !answer.wall_stress)
+            return answer.found;
+    }
+    return false;
 }
 
 WallTrial stress_of(MeshedSheet const& made, DesignWishes const& wishes)

@@ -29,6 +29,9 @@ struct MeshedSheet
 /// allows. A torque is left out, and with it the cone of the cup.
 [[nodiscard]] MeshedSheet mesh_with_wall(DesignWishes const& wishes);
 
+/// Whether mesh_with_wall() finds a mesh.
+[[nodiscard]] bool has_mesh_with_wall(DesignWishes const& wishes);
+
 /// The same, and with a torque the stress of study_load() keeps the safety, with a side clearance, a tip circle and a
 /// root clearance that leave the coned cup clear. Where no wall does, the one with the least stress comes last.
 [[nodiscard]] MeshedSheet mesh_under_torque(DesignWishes const& wishes,
