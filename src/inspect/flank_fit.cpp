@@ -180,12 +180,25 @@ NoiseSum noise_of(FlankParabola const& parabola)
 {
     constexpr double variance_of_second_difference = 6;
     auto const& r = parabola.remainder;
+    auto const n = static_cast<Eigen::Index>(r.size());
+    double const begin = parabola.arc_length.front(), length = parabola.arc_length.back() - begin;
+    Eigen::MatrixX3d basis(n, 3);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        double const xi = (parabola.arc_length[static_cast<std::size_t>(i)] - begin) / length;
+        basis.row(i) << 1, xi, xi * xi;
+    }
+    Eigen::Matrix3d const covariance = numeric::covariance(basis);
     NoiseSum sum;
-    for (std::size_t i = 1; i + 1 < r.size(); ++i) {
-        double const difference = r[i - 1] - 2 * r[i] + r[i + 1];
-        sum.squares += difference * difference / variance_of_second_difference;
+    double variance = 0;  // of all differences, for noise of variance 1: the parabola has taken its part of them
+    for (Eigen::Index i = 1; i + 1 < n; ++i) {
+        auto const k = static_cast<std::size_t>(i);
+        double const difference = r[k - 1] - 2 * r[k] + r[k + 1];
+        Eigen::RowVector3d const of_basis = basis.row(i - 1) - 2 * basis.row(i) + basis.row(i + 1);
+        sum.squares += difference * difference;
+        variance += variance_of_second_difference - of_basis * covariance * of_basis.transpose();
         ++sum.differences;
     }
+    sum.squares *= static_cast<double>(sum.differences) / variance;
     return sum;
 }
 

@@ -62,8 +62,9 @@ inline constexpr std::size_t fewest_points = 4;
 [[nodiscard]] std::optional<FlankFit> flank_fit(PointReader const& read, std::vector<PlanePoint> const& points,
                                                 FlankGroup group, Placement const& placement);
 
-/// Sum of squares of the second differences of the remainders over 6, and how many there are: their ratio is the
-/// variance of the noise, whatever the smooth form of the flank.
+/// Sum of squares of the second differences of the remainders over their mean variance for noise of variance 1, and how
+/// many there are: their ratio is the variance of the noise, whatever the smooth form of the flank. That variance is 6
+/// less what the parabola has taken of it: a sixth with four even points, little with many.
 struct NoiseSum
 {
     double squares = 0;

@@ -53,6 +53,14 @@ double Intervals::half_width(double variance, std::size_t rivals) const
     return systematic_ + noise_ * std::sqrt(variance) * gsl_cdf_tdist_Qinv(tail, freedom_);
 }
 
+Uncertain Intervals::amplitude(double value, double variance) const
+{
+    // of two components over noise: twice Fisher's F(2, freedom), whose quantile has this closed form
+    double const squares = freedom_ * (std::pow(outside, -2 / freedom_) - 1);
+    double const of_zero = systematic_ + noise_ * std::sqrt(variance * squares);
+    return value > 2 * of_zero ? figure(value, variance) : Uncertain{value, of_zero};
+}
+
 LargestFigure largest_of(std::vector<Candidate> const& candidates, Intervals const& intervals)
 {
     auto const largest = std::max_element(candidates.begin(), candidates.end(),

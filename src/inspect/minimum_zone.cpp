@@ -103,7 +103,6 @@ VectorXd chebyshev_step(MatrixXd const& rows, VectorXd const& deviations)
     if (rows.rows() <= n)
         return numeric::LeastSquares(rows).solve(VectorXd(-deviations));
     std::vector<Reference> at = first_references(rows);
-    double const rounding = 64 * unit_roundoff * deviations.cwiseAbs().maxCoeff();
     for (int exchange = 0; exchange < most_exchanges; ++exchange) {
         MatrixXd transposed(n + 1, n + 1);
         VectorXd right(n + 1);
@@ -114,6 +113,9 @@ VectorXd chebyshev_step(MatrixXd const& rows, VectorXd const& deviations)
         }
         VectorXd const solution = numeric::LU(transposed.transpose()).solve(right);
         VectorXd const left_over = deviations + rows * solution.head(n);
+        // steps of a part that hardly fixes them are far larger than what they leave
+        double const rounding =
+            64 * unit_roundoff * (deviations.cwiseAbs() + rows.cwiseAbs() * solution.head(n).cwiseAbs()).maxCoeff();
         Index worst = 0;
         double const largest = left_over.cwiseAbs().maxCoeff(&worst);
         if (largest <= solution[n] + rounding)

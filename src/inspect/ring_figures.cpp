@@ -86,7 +86,7 @@ void add_eccentricity(RingData const& data, PlaneFigures& plane, std::vector<Can
     plane.circle = true;
     Eigen::RowVector3d row(0, along.x(), along.y());
     plane.eccentricity =
-        intervals.figure(size, own * along.dot(inverse.bottomRightCorner<2, 2>() * along) + data.variance_of(row));
+        intervals.amplitude(size, own * along.dot(inverse.bottomRightCorner<2, 2>() * along) + data.variance_of(row));
     plane.direction = std::atan2(harmonic[1], harmonic[2]);
 }
 

@@ -260,6 +260,63 @@ TEST_CASE("the intervals of a noisy ring hold the figures of the same ring witho
     CHECK(share_of_extremes >= 0.92);
 }
 
+TEST_CASE("few points on each flank tell the noise as well as many", "[inspect]")
+{
+    constexpr int rings = 12;
+    for (int const points : {4, 5, 8, 25}) {
+        double mean = 0;
+        for (int i = 0; i < rings; ++i) {
+            designs::Draws draws(5000 + static_cast<std::uint64_t>(i));
+            MeasuredRing ring;
+            ring.teeth = small_ring;
+            ring.points = points;
+            ring.noise = 5e-4;
+            give_errors(ring, draws, 0);
+            mean += inspected(ring, draws, Registration::turn).noise / ring.noise / rings;
+        }
+        CAPTURE(points);
+        CHECK(std::abs(mean - 1) < 0.05);
+    }
+}
+
+TEST_CASE("the interval of the eccentricity of a concentric ring holds zero", "[inspect]")
+{
+    constexpr int rings = 120;
+    int held = 0;
+    for (int i = 0; i < rings; ++i) {
+        designs::Draws draws(6000 + static_cast<std::uint64_t>(i));
+        MeasuredRing ring;
+        ring.teeth = small_ring;
+        for (int k = 0; k < small_ring; k += 3)
+            ring.measured.push_back(k);
+        ring.points = 10;
+        ring.noise = 5e-4;
+        Uncertain const found = inspected(ring, draws, Registration::turn).planes[0].eccentricity;
+        held += found.value <= found.error ? 1 : 0;
+    }
+    CAPTURE(held);
+    CHECK(held >= 0.92 * rings);
+}
+
+TEST_CASE("a single tooth is registered in the minimum zone", "[inspect]")
+{
+    for (int i = 0; i < 12; ++i) {
+        MeasuredRing ring;
+        ring.measured = {0};
+        ring.points = 20;
+        ring.noise = 3e-4;
+        auto const largest = [&](Registration registration) {
+            designs::Draws draws(8000 + static_cast<std::uint64_t>(i));
+            double most = 0;
+            for (PointDeviation const& each : inspected(ring, draws, registration).points)
+                if (each.fate != PointFate::beside)
+                    most = std::max(most, std::abs(each.deviation));
+            return most;
+        };
+        CHECK(largest(Registration::minimum_zone) <= largest(Registration::least_squares));
+    }
+}
+
 TEST_CASE("the intervals of the largest form and total deviation hold the largest true ones", "[inspect]")
 {
     constexpr int rings = 200, kinds = 4;
