@@ -68,9 +68,10 @@ struct RunSequence
     double mean_torque = 0;                   ///< of wave_generator_torque over the positions [N mm]
     double mean_torque_error = 0;             ///< difference of the mean by teeth or of T/i, the larger one [N mm]
     double torque_ripple = 0;                 ///< its peak to peak [N mm]
-    double torque_ripple_error = 0;           ///< largest difference of both ways about their means, twice [N mm]
-    bool estimated = false;                   ///< false: errors are 0, or too small, and mean nothing
-    double seconds = 0;                       ///< wall time [s]
+    /// Largest difference of both ways about their means, twice, and that of the grids [N mm].
+    double torque_ripple_error = 0;
+    bool estimated = false;  ///< false: errors are 0, or too small, and mean nothing
+    double seconds = 0;      ///< wall time [s]
 };
 
 /// What the drive loses at one torque, speed and temperature: torques on the wave generator [N mm].

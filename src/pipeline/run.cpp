@@ -208,28 +208,34 @@ void run_elastic(contact::ContactStudyData& data, running::RunTask const& task, 
     contact::FlankGrid const& flanks = assembled.surface.grid;
     double const middle = load::middle_of(assembled.play);
     running::TurningDrive const drive(context, fine, flanks, task.motion, middle);
-    std::vector<load::AssembledDrive> const coarse = load::coarser_drives(context, options.errors ? 1 : 0);
-    std::optional<contact::FlankGrid> coarse_flanks;
-    std::optional<running::TurningDrive> coarse_drive;
-    if (!coarse.empty()) {
-        coarse_flanks = load::coarsened(flanks);
-        coarse_drive.emplace(context, coarse.front(), *coarse_flanks, task.motion, middle);
+    // The losses are single figures, in which two grids may agree by chance.
+    std::size_t const coarser_grids = context.scene.friction ? 2 : 1;
+    std::vector<load::AssembledDrive> const coarse = load::coarser_drives(context, options.errors ? coarser_grids : 0);
+    std::vector<contact::FlankGrid> coarse_flanks;
+    coarse_flanks.reserve(coarse.size());  // the drives refer to them
+    std::vector<running::TurningDrive> coarse_drives;
+    for (load::AssembledDrive const& each : coarse) {
+        coarse_flanks.push_back(load::coarsened(coarse_flanks.empty() ? flanks : coarse_flanks.back()));
+        coarse_drives.emplace_back(context, each, coarse_flanks.back(), task.motion, middle);
     }
-    GridPair const drives{drive, coarse_drive ? &*coarse_drive : nullptr, load::grid_safety(flanks.slices())};
+    GridPair const drives{drive, coarse_drives.empty() ? nullptr : &coarse_drives.front(),
+                          load::grid_safety(flanks.slices())};
     LeastPlay least;
     data.clock.run(Stage::run, [&] {
         for (PlannedSequence const& each : planned_sequences(context.scene, task))
             run_elastic_sequence(each, drives, task, observer, least, study);
         if (!context.scene.friction)
             return;
-        auto const runs = running::loaded_runs(drive, task, observer);
-        SequenceObserver const silent{observer.stop, observer.on_position, {}};
-        auto const others = coarse_drive ? running::loaded_runs(*coarse_drive, task, silent) : decltype(runs)();
         running::LossModel const losses{
             *context.scene.friction, task.motion,
             running::bearing_diameter(context.scene, context.geometry.flexspline_inner_radius)};
-        if (!runs.empty())
-            study.losses = running::run_losses(losses, task, runs, others, drives.safety);
+        running::LossRuns const runs = running::loss_runs(losses, drive, task, observer);
+        if (runs.asked.empty())
+            return;
+        std::vector<running::LossRuns> others;
+        for (running::TurningDrive const& each : coarse_drives)
+            others.push_back(running::loss_runs_like(runs, each, task, observer));
+        study.losses = running::run_losses(losses, task, runs, others, drives.safety);
     });
     enter_part(data, spec, assembled.surface.tip, assembled.surface.offset, study);
     least.judge(context.scene, study);
@@ -239,7 +245,7 @@ void run_elastic(contact::ContactStudyData& data, running::RunTask const& task, 
 std::size_t positions_of(Scene const& scene, running::RunTask const& task, bool errors)
 {
     std::size_t const grids = task.torque > 0 && errors ? 2 : 1;
-    std::size_t all = scene.friction ? grids * running::loss_positions : 0;
+    std::size_t all = scene.friction ? (grids > 1 ? 3 : 1) * running::loss_positions : 0;
     for (PlannedSequence const& each : planned_sequences(scene, task))
         all += each.plan.pitches.size() * (each.plan.span == RunSpan::output_turn ? 1 : grids);
     return all;

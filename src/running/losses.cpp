@@ -4,13 +4,20 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
 #include <utility>
 
 #include "hdconj/error.hpp"
 #include "hdconj/units.hpp"
+#include "load/grids/grid_error.hpp"
 
 namespace hdconj::running {
 namespace {
+
+// Of the safety of `load`: with 9 slices six drives of 15 to 80 mm and ratios 30 to 160 are within it of 33 slices, and
+// so is type-50. The largest sliding is that of a single contact.
+constexpr double of_losses = 1.75, of_extreme = 1.5;
 
 /// Every second position of @p runs: half of what is known, for the error of the positions.
 std::vector<LoadedRun> every_second(std::vector<LoadedRun> runs)
@@ -38,45 +45,54 @@ std::vector<EfficiencyRow> efficiency_rows(LossModel const& model, RunTask const
 }
 
 /// The figures without their errors.
-RunLosses losses_of(LossModel const& model, RunTask const& task, std::vector<LoadedRun> const& runs)
+RunLosses losses_of(LossModel const& model, RunTask const& task, LossRuns const& runs)
 {
     RunLosses losses;
-    losses.efficiency = efficiency_rows(model, task, runs);
-    losses.starting_torque = resting_torque(model, runs.front());
-    losses.back_driving = back_driving_torque(model, runs);
-    losses.ball_load = runs.back().ball_load;
+    losses.efficiency = efficiency_rows(model, task, runs.asked);
+    losses.starting_torque = resting_torque(model, runs.asked.front());
+    losses.back_driving = back_driving_torque(model, runs.with_between());
+    losses.ball_load = runs.asked.back().ball_load;
     losses.bearing_diameter = model.diameter;
-    for (WeighedContacts const& position : runs.back().sliding)
+    for (WeighedContacts const& position : runs.asked.back().sliding)
         for (SlidingContact const& each : position.contacts)
             losses.largest_sliding = std::max(losses.largest_sliding, model.motion.cup_rate() * each.sliding);
     return losses;
 }
 
-/// Adds @p factor times the difference to @p other to the errors.
-void add_errors(RunLosses const& other, double factor, RunLosses& losses)
+/// Adds @p factor times the difference to @p coarser, the next one first, to the errors. One that is not turned back up
+/// to the largest torque is turned there at the earliest.
+void add_errors(std::vector<RunLosses> const& coarser, double factor, RunLosses& losses)
 {
-    auto const add = [factor](double& error, double here, double there) { error += factor * std::abs(here - there); };
+    auto const add = [&](double& error, auto const& figure) {
+        std::vector<double> values(coarser.size());
+        std::ranges::transform(coarser, values.begin(), figure);
+        error += factor * load::grid_difference(figure(losses), values);
+    };
     for (std::size_t i = 0; i < losses.efficiency.size(); ++i) {
         EfficiencyRow& row = losses.efficiency[i];
-        add(row.efficiency_error, row.efficiency, other.efficiency[i].efficiency);
-        add(row.input_torque_error, row.input_torque, other.efficiency[i].input_torque);
+        add(row.efficiency_error, [i](RunLosses const& each) { return each.efficiency[i].efficiency; });
+        add(row.input_torque_error, [i](RunLosses const& each) { return each.efficiency[i].input_torque; });
     }
-    add(losses.starting_torque_error, losses.starting_torque, other.starting_torque);
-    if (losses.back_driving && other.back_driving)
-        add(losses.back_driving_error, *losses.back_driving, *other.back_driving);
-    add(losses.ball_load_error, losses.ball_load, other.ball_load);
-    add(losses.largest_sliding_error, losses.largest_sliding, other.largest_sliding);
+    add(losses.starting_torque_error, [](RunLosses const& each) { return each.starting_torque; });
+    double const largest = losses.efficiency.back().torque;
+    if (losses.back_driving)
+        add(losses.back_driving_error,
+            [largest](RunLosses const& each) { return each.back_driving.value_or(largest); });
+    add(losses.ball_load_error, [](RunLosses const& each) { return each.ball_load; });
+    add(losses.largest_sliding_error, [](RunLosses const& each) { return each.largest_sliding; });
+    losses.largest_sliding_error *= of_extreme;
 }
 
-}  // namespace
-
-std::vector<LoadedRun> loaded_runs(TurningDrive const& drive, RunTask const& task, SequenceObserver const& observer)
+/// The drive under each of @p torques at @ref loss_positions even positions over a tooth pitch; nothing where no
+/// position has balances.
+std::vector<LoadedRun> runs_under(std::vector<double> const& torques, TurningDrive const& drive,
+                                  RunningMotion const& motion, SequenceObserver const& observer)
 {
-    std::vector<LoadedRun> runs{{0, {}, drive.assembled_ball_load()}};
+    std::vector<LoadedRun> runs;
     std::vector<double> spline_torques;
-    for (double const torque : task.torques) {
+    for (double const torque : torques) {
         runs.push_back({torque, {}, 0});
-        spline_torques.push_back(task.motion.spline_torque(torque));
+        spline_torques.push_back(motion.spline_torque(torque));
     }
     double found = 0;
     for (double const pitches : tooth_pitch_plan(loss_positions).pitches) {
@@ -89,8 +105,8 @@ std::vector<LoadedRun> loaded_runs(TurningDrive const& drive, RunTask const& tas
             std::vector<Balance> balances = drive.balances(pitches, spline_torques, nullptr);
             ++found;
             for (std::size_t i = 0; i < balances.size(); ++i) {
-                runs[i + 1].sliding.push_back({std::move(balances[i].sliding)});
-                runs[i + 1].ball_load += balances[i].ball_load;
+                runs[i].sliding.push_back({std::move(balances[i].sliding)});
+                runs[i].ball_load += balances[i].ball_load;
             }
         } catch (NumericalError const& error) {
             if (observer.on_missing)
@@ -102,22 +118,76 @@ std::vector<LoadedRun> loaded_runs(TurningDrive const& drive, RunTask const& tas
     }
     if (found == 0)
         return {};
-    for (std::size_t i = 1; i < runs.size(); ++i) {
-        runs[i].ball_load /= found;
-        for (WeighedContacts& each : runs[i].sliding)
+    for (LoadedRun& run : runs) {
+        run.ball_load /= found;
+        for (WeighedContacts& each : run.sliding)
             each.weight = 1 / found;
     }
     return runs;
 }
 
-RunLosses run_losses(LossModel const& model, RunTask const& task, std::vector<LoadedRun> const& runs,
-                     std::vector<LoadedRun> const& coarse, double safety)
+}  // namespace
+
+std::vector<LoadedRun> LossRuns::with_between() const
+{
+    std::vector<LoadedRun> all = asked;
+    all.insert(all.end(), between.begin(), between.end());
+    std::ranges::stable_sort(all, {}, &LoadedRun::torque);
+    return all;
+}
+
+LossRuns loss_runs(LossModel const& model, TurningDrive const& drive, RunTask const& task,
+                   SequenceObserver const& observer)
+{
+    LossRuns runs;
+    std::vector<LoadedRun> loaded = runs_under(task.torques, drive, model.motion, observer);
+    if (loaded.empty())
+        return runs;
+    runs.asked = {{0, {}, drive.assembled_ball_load()}};
+    std::ranges::move(loaded, std::back_inserter(runs.asked));
+    constexpr int most = 8;
+    constexpr double enough = 1e-3;  // of the torque
+    SequenceObserver const unseen{observer.stop, {}, {}};
+    std::optional<double> now = back_driving_torque(model, runs.asked);
+    for (int i = 0; i < most && now && *now > 0; ++i) {
+        std::vector<LoadedRun> added = runs_under({*now}, drive, model.motion, unseen);
+        if (added.empty())
+            break;
+        runs.between.push_back(std::move(added.front()));
+        std::optional<double> const next = back_driving_torque(model, runs.with_between());
+        runs.unsettled = std::abs(next.value_or(*now) - *now);
+        now = next;
+        if (now && runs.unsettled <= enough * *now)
+            break;
+    }
+    return runs;
+}
+
+LossRuns loss_runs_like(LossRuns const& like, TurningDrive const& drive, RunTask const& task,
+                        SequenceObserver const& observer)
+{
+    SequenceObserver const silent{observer.stop, observer.on_position, {}}, unseen{observer.stop, {}, {}};
+    LossRuns runs{{{0, {}, drive.assembled_ball_load()}}, {}, 0};
+    std::vector<LoadedRun> loaded = runs_under(task.torques, drive, task.motion, silent);
+    std::ranges::move(loaded, std::back_inserter(runs.asked));
+    for (LoadedRun const& each : like.between)
+        std::ranges::move(runs_under({each.torque}, drive, task.motion, unseen), std::back_inserter(runs.between));
+    return runs;
+}
+
+RunLosses run_losses(LossModel const& model, RunTask const& task, LossRuns const& runs,
+                     std::vector<LossRuns> const& coarser, double safety)
 {
     RunLosses losses = losses_of(model, task, runs);
-    losses.estimated = coarse.size() == runs.size();
+    std::vector<RunLosses> others;
+    for (LossRuns const& each : coarser)
+        if (each.asked.size() == runs.asked.size())
+            others.push_back(losses_of(model, task, each));
+    losses.estimated = !others.empty();
     if (losses.estimated) {
-        add_errors(losses_of(model, task, coarse), safety, losses);
-        add_errors(losses_of(model, task, every_second(runs)), 1, losses);
+        add_errors(others, of_losses * safety, losses);
+        add_errors({losses_of(model, task, {every_second(runs.asked), every_second(runs.between), 0})}, 1, losses);
+        losses.back_driving_error += runs.unsettled;
     }
     return losses;
 }

@@ -8,16 +8,32 @@
 
 namespace hdconj::running {
 
-/// Forces and velocities of the drive without torque and under each torque of @p task, at @ref loss_positions even
-/// positions over a tooth pitch. A position without balances is told and left out.
-[[nodiscard]] std::vector<LoadedRun> loaded_runs(TurningDrive const& drive, RunTask const& task,
-                                                 SequenceObserver const& observer);
-
 inline constexpr int loss_positions = 4;
 
-/// What follows from them. @param coarse  of the coarse grid; empty: no errors
-/// @param safety  of the difference of both grids
-[[nodiscard]] RunLosses run_losses(LossModel const& model, RunTask const& task, std::vector<LoadedRun> const& runs,
-                                   std::vector<LoadedRun> const& coarse, double safety);
+/// The drive under the torques that its losses follow from.
+struct LossRuns
+{
+    std::vector<LoadedRun> asked;    ///< without torque and under each torque of the task; empty: no results
+    std::vector<LoadedRun> between;  ///< under further torques, near the back-driving torque
+    double unsettled = 0;            ///< by how much the last of them moved that torque [N mm]
+
+    [[nodiscard]] std::vector<LoadedRun> with_between() const;  ///< in order of torque
+};
+
+/// Forces and velocities at @ref loss_positions even positions over a tooth pitch. Torques near the back-driving torque
+/// are added until that moves by at most a thousandth. A position without balances is told and left out.
+[[nodiscard]] LossRuns loss_runs(LossModel const& model, TurningDrive const& drive, RunTask const& task,
+                                 SequenceObserver const& observer);
+
+/// The same drive on another grid, under the torques of @p like.
+[[nodiscard]] LossRuns loss_runs_like(LossRuns const& like, TurningDrive const& drive, RunTask const& task,
+                                      SequenceObserver const& observer);
+
+/// What follows from them.
+/// @param coarser  of coarser grids, the next one first; those without results do not count, and without any there are
+///                 no errors
+/// @param safety   of the differences of grids
+[[nodiscard]] RunLosses run_losses(LossModel const& model, RunTask const& task, LossRuns const& runs,
+                                   std::vector<LossRuns> const& coarser, double safety);
 
 }  // namespace hdconj::running

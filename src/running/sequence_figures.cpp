@@ -177,6 +177,7 @@ void add_grid_error(RunSequence& sequence, RunSequence const& coarse, double saf
     Spread const spread = spread_of(difference);
     sequence.peak_to_peak_error += safety * spread.peak_to_peak;
     sequence.rms_error += safety * spread.rms;
+    sequence.torque_ripple_error += safety * spread_of(of_torque).peak_to_peak;
     bool const everywhere = difference.size() == count;
     // what noise of this size has in a single order; where positions are missing, the most that an order may have
     double const usual = everywhere ? 2 * spread.rms / std::sqrt(static_cast<double>(count)) : 2 * spread.rms;

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "hdconj/contact.hpp"
+#include "hdconj/design.hpp"
+#include "hdconj/design_files.hpp"
 #include "hdconj/load.hpp"
 #include "hdconj/read_scene.hpp"
 #include "hdconj/running.hpp"
@@ -320,6 +322,53 @@ TEST_CASE("friction takes what flanks and bearing rub, and nothing without a tab
     CHECK(half.losses->efficiency.back().flanks == Approx(rows.back().flanks / 2));
     REQUIRE(study.losses->back_driving);
     CHECK(*study.losses->back_driving > 0.01 * newton_metre * study.ratio);
+}
+
+TEST_CASE("the back-driving torque does not depend on the torques of the efficiency", "[running]")
+{
+    std::vector<double> found;
+    for (char const* const torques : {"[27.7]", "[100]", "[3, 6, 7.5, 9, 10, 12]"}) {
+        RunStudy const study =
+            loaded({"friction.flanks=0.1", "friction.seal=0.01", std::string("running.torques=") + torques}, 2);
+        REQUIRE(study.losses);
+        REQUIRE(study.losses->back_driving);
+        found.push_back(*study.losses->back_driving);
+    }
+    CHECK(found[1] == Approx(found[0]).epsilon(2e-3));
+    CHECK(found[2] == Approx(found[0]).epsilon(2e-3));
+}
+
+TEST_CASE("torque and friction of a designed drive are within their errors of a grid four times finer", "[running]")
+{
+    DesignWishes wishes;
+    wishes.ratio = 100;
+    wishes.diameter = 50;
+    std::string const text = scene_text(design_drive(wishes));
+    auto const run_with = [&](char const* slices, bool errors) {
+        RunOptions options;
+        options.torque = 28 * newton_metre;
+        options.positions = 6;
+        options.errors = errors;
+        return study_run(parse_scene(text, "designed", {},
+                                     {std::string("slices.count=") + slices, "friction.flanks=0.08",
+                                      "friction.bearing_load=0.0005", "running.torques=[27.7]"}),
+                         options);
+    };
+    RunStudy const told = run_with("9", true), finer = run_with("33", false);
+    RunSequence const &here = sequence(told, RunSpan::tooth_pitch, true),
+                      &there = sequence(finer, RunSpan::tooth_pitch, true);
+    CHECK(std::abs(here.torque_ripple - there.torque_ripple) <= here.torque_ripple_error);
+    CHECK(std::abs(here.mean_torque - there.mean_torque) <= here.mean_torque_error);
+    CHECK(std::abs(here.peak_to_peak - there.peak_to_peak) <= here.peak_to_peak_error);
+    REQUIRE(told.losses);
+    RunLosses const &losses = *told.losses, &others = *finer.losses;
+    CHECK(losses.estimated);
+    CHECK_FALSE(others.estimated);
+    CHECK(std::abs(losses.ball_load - others.ball_load) <= losses.ball_load_error);
+    CHECK(std::abs(losses.largest_sliding - others.largest_sliding) <= losses.largest_sliding_error);
+    CHECK(std::abs(*losses.back_driving - *others.back_driving) <= losses.back_driving_error);
+    CHECK(std::abs(losses.efficiency.back().efficiency - others.efficiency.back().efficiency) <=
+          losses.efficiency.back().efficiency_error);
 }
 
 TEST_CASE("both outputs have the same positions, in their own angles", "[running]")

@@ -39,7 +39,7 @@ Json load_case_object(LoadCase const& each, int balls)
 {
     States const rows = figures::loaded_state_figures(balls);
     Json object = {{"surface", to_string(each.surface)}, {"kind", to_string(each.kind)}};
-    add_figures(object, figures::load_case_figures(), each);
+    add_figures(object, figures::load_case_figures(), each, each.estimated);
     auto const* rated = figures::rated_state(each);
     object["rated"] = rated != nullptr ? figures_object(rows, *rated) : Json(nullptr);
     object["rated_error"] = error_object(rows, each.estimated ? &each.error : nullptr);
@@ -51,7 +51,7 @@ Json load_case_object(LoadCase const& each, int balls)
     for (auto const& [torque, cause] : each.unsettled)
         object["unsettled"].push_back({{"torque_Nm", number(torque / newton_metre)}, {"cause", cause}});
     if (each.catalogue)
-        object["catalogue"] = figures_object(figures::catalogue_rows(), *each.catalogue);
+        object["catalogue"] = figures_object(figures::catalogue_rows(), *each.catalogue, each.catalogue->estimated);
     object["members"] = Json::array();
     for (TwistMember const& member : each.members) {
         object["members"].push_back({{"name", member.name}});

@@ -23,7 +23,7 @@ Json sequence_object(RunSequence const& sequence)
 
 Json losses_object(RunLosses const& losses)
 {
-    Json object = figures_object(figures::run_loss_figures(), losses);
+    Json object = figures_object(figures::run_loss_figures(), losses, losses.estimated);
     auto const back = figures::back_driving_figures();
     object[back["back_driving_torque"].json_key()] = nullptr;
     if (losses.back_driving)

@@ -46,8 +46,8 @@ void write_sequence(Page& page, RunSequence const& sequence)
         page.line("  largest orders            {} per input turn", orders);
     if (under_torque)
         page.line("  wave generator torque     {}, ripple {}, without friction",
-                  told_with_error(rows, sequence, "mean_torque", true),
-                  told_with_error(rows, sequence, "torque_ripple", true));
+                  told_with_error(rows, sequence, "mean_torque", sequence.estimated),
+                  told_with_error(rows, sequence, "torque_ripple", sequence.estimated));
     page.line("  time                      {}", rows["seconds"].value_with_unit(sequence));
 }
 
