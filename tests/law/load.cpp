@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "hdconj/contact.hpp"
+#include "hdconj/design_files.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/read_scene.hpp"
 #include "hdconj/solve.hpp"
@@ -300,6 +301,7 @@ TEST_CASE("more than the teeth can carry is said", "[load]")
         FAIL("teeth of type-50 carry 100 kN m");
     } catch (NumericalError const& error) {
         CHECK(std::string(error.what()).find("N m") != std::string::npos);
+        CHECK(error.remedy() == "write a smaller torque");
     }
 }
 
@@ -449,6 +451,30 @@ TEST_CASE("every torque of a curve has an estimate that bounds its distance to a
     CHECK(c.curve_error[c.rated]->twist == c.error.twist);
     // far from all of it
     CHECK(c.curve_error[c.rated]->twist < 0.5 * c.curve[c.rated].twist);
+}
+
+TEST_CASE("errors along the curve of a designed drive bound its distance to a grid four times finer", "[load][errors]")
+{
+    DesignWishes wishes;
+    wishes.ratio = 80;
+    wishes.diameter = 62.5;
+    wishes.family = "cycloid";
+    std::string const text = scene_text(design_drive(wishes));
+    LoadOptions options = at_torque(40 * newton_metre);
+    options.curve = true;
+    options.points = 6;
+    LoadCase const here = study_load(parse_scene(text, "designed"), options).cases.front();
+    options.errors = false;
+    LoadCase const there = study_load(parse_scene(text, "designed", {}, {"slices.count=33"}), options).cases.front();
+    REQUIRE(here.curve_error.size() == here.curve.size());
+    REQUIRE(there.curve.size() == here.curve.size());
+    for (std::size_t i = 0; i < here.curve.size(); ++i) {
+        CAPTURE(here.curve[i].torque, here.curve[i].twist, there.curve[i].twist);
+        REQUIRE(here.curve_error[i]);
+        for (double LoadedState::*const figure : {&LoadedState::twist, &LoadedState::largest_force,
+                                                  &LoadedState::largest_line_load, &LoadedState::edge_force})
+            CHECK(std::abs(here.curve[i].*figure - there.curve[i].*figure) <= (*here.curve_error[i]).*figure);
+    }
 }
 
 TEST_CASE("more harmonics than the teeth tell apart are refused", "[load]")

@@ -143,6 +143,33 @@ void reach_mean_of_flow(double flow_pressure, LoadedState const& state, LoadedSt
             error.*pressure = std::max(error.*pressure, bound - flow_pressure);
 }
 
+/// Raises errors before the last torque. In a single state grids may agree by chance: over its figure the error of a
+/// state is no smaller than those of the states beside it. Below half of the largest torque fewer teeth carry than in
+/// the states that error_rules are of. The last state, whose figures are the drive's, keeps its own.
+void level_errors(std::vector<LoadedState> const& states, std::vector<std::optional<LoadedState>>& errors)
+{
+    constexpr double half = 0.5, of_few_teeth = 1.5;
+    std::vector<std::optional<LoadedState>> const own = errors;
+    auto const is_known = [&](std::size_t i) { return own[i] && states[i].torque != 0; };
+    for (std::size_t i = 0; i + 1 < errors.size(); ++i) {
+        if (!is_known(i))
+            continue;
+        double const factor = std::abs(states[i].torque) < half * std::abs(states.back().torque) ? of_few_teeth : 1;
+        for (ErrorRule const& rule : error_rules) {
+            double LoadedState::*const figure = rule.figure;
+            for (std::size_t const j : {i - 1, i + 1})
+                if (j < errors.size() && is_known(j) && states[j].*figure != 0)
+                    (*errors[i]).*figure = std::max(
+                        (*errors[i]).*figure, std::abs(states[i].*figure / states[j].*figure) * (*own[j]).*figure);
+            (*errors[i]).*figure *= factor;
+        }
+        for (int LoadedState::*const number : {&LoadedState::teeth, &LoadedState::balls})
+            for (std::size_t const j : {i - 1, i + 1})
+                if (j < errors.size() && is_known(j))
+                    (*errors[i]).*number = std::max((*errors[i]).*number, (*own[j]).*number);
+    }
+}
+
 }  // namespace
 
 double grid_difference(double fine, std::span<double const> coarser)
@@ -223,8 +250,11 @@ std::vector<std::optional<LoadedState>> branch_errors(LoadProblem const& problem
             continue;
         errors[i] = error_of(branch.states[i], states, grid_safety(drive.slice_z.size()), scales);
         errors[i]->twist += branch.states[i].gap_mismatch / problem.context.geometry.r_m;
-        reach_mean_of_flow(drive.flow_pressure, branch.states[i], *errors[i]);
     }
+    level_errors(branch.states, errors);
+    for (std::size_t i = 0; i < errors.size(); ++i)
+        if (errors[i])
+            reach_mean_of_flow(drive.flow_pressure, branch.states[i], *errors[i]);
     return errors;
 }
 
