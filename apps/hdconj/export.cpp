@@ -47,7 +47,7 @@ int run_export(CommonOptions const& common, ExportArguments const& own)
         throw InputError(Fault{"--steps", 0, std::to_string(own.steps),
                                "with few contact points CalculiX may end in a state in which some still change between "
                                "open and closed",
-                               "write --steps 16, or at least " + std::to_string(fewest_contact_steps)});
+                               "write --steps 24, or at least " + std::to_string(fewest_contact_steps)});
     Scene const scene = loaded_scene(load_scene(common));
     if (own.contact && scene.bearing)
         refuse_contact(*scene.bearing);
@@ -97,7 +97,7 @@ void add_export(CLI::App& program, CommonOptions& common)
         "A scene without [coning] has an elastic cup whose teeth stand in the middle of the bearing, as in load.\n"
         "Examples:\n"
         "  hdconj export --calculix deck && cd deck && ccx linear && python3 compare.py linear\n"
-        "  hdconj export --calculix deck --contact --steps 16 && cd deck && ccx contact && python3 compare.py contact\n"
+        "  hdconj export --calculix deck --contact --steps 24 && cd deck && ccx contact && python3 compare.py contact\n"
         "  hdconj export drive.toml --vtu cup.vtu\n"
         "Exit status: 0 done, 1 failed, 2 bad scene or bad command line.");
 }

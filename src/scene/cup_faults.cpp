@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cup, its cone and the bearing that pushes it outward.
+#include <utility>
+
 #include "base/text.hpp"
 #include "validation.hpp"
 
@@ -84,6 +86,19 @@ void check_compliance(SceneReading const& reading, Faults& faults)
                           scene.compliance->line > 0 ? "" : "--set"});
 }
 
+/// Fits and plays of a part of a millimetre: larger ones lift the cup off the wave generator, or make it another one.
+void check_bearing_lengths(SceneReading const& reading, Faults& faults)
+{
+    BearingChoice const& bearing = *reading.scene.bearing;
+    double const most = reading.scene.drive.module / 2;
+    for (auto const& [key, length] :
+         {std::pair("bearing.fit", bearing.fit), std::pair("bearing.cam_oversize", bearing.cam_oversize),
+          std::pair("bearing.clearance", bearing.clearance)})
+        if (knows(reading, {"drive.module", key}) && length > most)
+            add_at(faults, key, number_text(length), "more than half of the module makes another wave generator",
+                   "write a length in mm, such as 0.005");
+}
+
 void check_bearing(SceneReading const& reading, Faults& faults)
 {
     auto const& scene = reading.scene;
@@ -109,6 +124,7 @@ void check_bearing(SceneReading const& reading, Faults& faults)
                "write as many as the bearing has, such as 23, or leave the key out for a continuous row of balls");
     if (bearing.elastic)
         check_balls(reading, faults);
+    check_bearing_lengths(reading, faults);
     if (knows(reading, {"bearing.angles"}) && bearing.angles % 2 != 0)
         refuse("angles", "is odd", "write an even number such as 48");
     if (knows(reading, {"bearing.angles", "bearing.circles"}) &&

@@ -11,9 +11,6 @@
 namespace hdconj::scene {
 namespace {
 
-/// An inner radius further than this share from the one that module and teeth give is a typing error.
-constexpr double radius_doubt = 0.25;
-
 /// What makes the pair a usual one whose flanks touch.
 Advice drive_advice(Scene const& scene)
 {
@@ -99,7 +96,8 @@ void check_inner_radius(SceneReading const& reading, Faults& faults)
         !knows(reading, {"flexspline.inner_radius", "flexspline.wall", "drive.module", "drive.flexspline_teeth"}))
         return;
     double const expected = flexspline_pitch_radius(scene.drive) - *dedendum - scene.flexspline.wall;
-    if (std::abs(*scene.flexspline.inner_radius - expected) > radius_doubt * flexspline_pitch_radius(scene.drive))
+    // off by the whole wall: a typing error
+    if (std::abs(*scene.flexspline.inner_radius - expected) > scene.flexspline.wall)
         add_at(faults, "flexspline.inner_radius", number_text(*scene.flexspline.inner_radius),
                "contradicts module and teeth, which make it about " + short_number(expected) + " mm",
                "write about that radius, or remove the key");

@@ -12,7 +12,8 @@ namespace {
 
 using Kind = RawValue::Kind;
 
-constexpr double absolute_zero = 273.15;  // below 0 degrees Celsius
+// of lubricants, in degrees Celsius: beyond, the law of their viscosity says nothing
+constexpr double coldest = -60, hottest = 200;
 
 bool is_number(RawValue const& value)
 {
@@ -45,7 +46,10 @@ std::string column_fault(RawValue const& value, std::string_view column)
     if (column == "torque" || column == "speed")
         return value.number > 0 ? "" : "must be larger than 0";
     if (column == "temperature")
-        return value.number > -absolute_zero ? "" : "is below absolute zero";
+        return value.number >= coldest && value.number <= hottest
+                   ? ""
+                   : "is no temperature of a lubricant, which lies between " + number_text(coldest) + " and " +
+                         number_text(hottest) + " degrees Celsius";
     if (column == "radius")
         return value.number == 0 ? "must not be 0" : "";
     if (column == "length" && value.number < 0)

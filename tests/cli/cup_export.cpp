@@ -262,7 +262,7 @@ TEST_CASE("an export of nothing or of no elastic cup is refused", "[export]")
     CHECK(single.err.find("balls are a line") != std::string::npos);
     auto const coarse = hdconj_run("export " + scene + "--calculix deck --contact --steps 11", folder.path());
     CHECK(coarse.status == 2);
-    CHECK(coarse.err.find("--steps 16") != std::string::npos);
+    CHECK(coarse.err.find("--steps 24") != std::string::npos);
     auto const text = hdconj_run("export " + scene + "--vtu cup.txt", folder.path());
     CHECK(text.status == 2);
     CHECK(text.err.find("--vtu = cup.txt: ParaView knows the file by its ending .vtu (write NAME.vtu)") !=

@@ -48,12 +48,15 @@ constexpr Attempt attempts[] = {{{1}, 3, 25},
                                 {{0x1p-10}, 3, 40},
                                 {{1}, 160, 160}};
 
+constexpr char const* smaller_torque = "write a smaller torque";
+
 std::string place_of(double torque)
 {
     return "torque of " + short_number(torque / newton_metre) + " N m";
 }
 
-/// Runs @p body. A NumericalError from another stage is thrown again with the torque as its place.
+/// Runs @p body. A NumericalError from another stage is thrown again with the torque as its place; the motion of a
+/// loaded shape fails because of its torque.
 template <class Body>
 void at_torque(double torque, Body const& body)
 {
@@ -62,7 +65,9 @@ void at_torque(double torque, Body const& body)
     } catch (NumericalError const& error) {
         if (error.stage() == "load")
             throw;
-        throw error.inside("load", place_of(torque));
+        NumericalError const here = error.inside("load", place_of(torque));
+        bool const by_torque = torque != 0 && error.stage() == "motion";
+        throw by_torque ? NumericalError(here.code(), here.stage(), here.place(), here.cause(), smaller_torque) : here;
     }
 }
 
@@ -72,7 +77,7 @@ void require_within_pitch(LoadProblem const& problem, double torque, double turn
         throw NumericalError(ErrorCode::overload, "load", place_of(torque),
                              "the teeth turn by more than a pitch against each other, " + short_number(to_deg(turn)) +
                                  " deg: they slip over each other",
-                             "write a smaller torque");
+                             smaller_torque);
 }
 
 /// The drive after an attempt.
@@ -167,7 +172,9 @@ LoadedDrive converged_at(LoadProblem const& problem, double torque, LoadedDrive 
     throw NumericalError(ErrorCode::not_converged, "load", place_of(torque),
                          "forces and loaded shape do not converge: after " + std::to_string(result.drive.iterations) +
                              " iterations gaps still differ by " + short_number(result.mismatch * per_um) + " um",
-                         "write a larger load.edge_radius, or another circular_spline.backlash_offset");
+                         problem.drive.flow_pressure < std::numeric_limits<double>::infinity()
+                             ? "write a larger flow.pressure, or remove [flow]"
+                             : "write a larger load.edge_radius, or another circular_spline.backlash_offset");
 }
 
 double turn_near(LoadProblem const& problem, double torque, LoadedDrive const& start)
