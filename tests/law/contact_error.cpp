@@ -259,6 +259,40 @@ TEST_CASE("contact law: a tip circle that more planes lift is told by the error 
     }
 }
 
+TEST_CASE("contact law: a tip circle whose need begins between two planes is told by the error of the planes",
+          "[law][contact]")
+{
+    // side clearance lifts corners more from some height on: in between the lift jumps
+    auto const drafted = [](int slices) {
+        Keys const drive{"drive.flexspline_teeth=240",
+                         "drive.circular_spline_teeth=242",
+                         "flexspline.wall=0.84",
+                         "wave_generator.family=ellipse",
+                         "wave_generator.radial_deformation=0.215",
+                         "circular_spline.width=10.5",
+                         "circular_spline.inner_radius=30.025",
+                         "coning.model=linear",
+                         "coning.bottom_to_middle=21",
+                         "coning.axial_shift=none",
+                         "tilt.kind=draft",
+                         "tilt.angle_deg=0.1"};
+        return study_contact(read_scene(file_of("cycloid"), with(drive, resolution(slices, 20, "tilted"))))
+            .cases.front();
+    };
+    ContactCase const fine = drafted(65);
+    for (int const slices : {3, 9, 17}) {
+        ContactCase const coarse = drafted(slices);
+        double const further = fine.least_tip_radius - coarse.least_tip_radius;
+        INFO(slices << " slices: " << coarse.least_tip_radius << " +- " << coarse.least_tip_radius_error << ", finer "
+                    << fine.least_tip_radius << " +- " << fine.least_tip_radius_error);
+        CHECK(further > 0.02 * um);
+        CHECK(further <= coarse.least_tip_radius_error + fine.least_tip_radius_error);
+        CHECK(coarse.least_tip_radius_error < 4 * further);
+        CHECK(std::abs(fine.backlash_of_least_side_clearance - coarse.backlash_of_least_side_clearance) <=
+              coarse.backlash_of_least_side_clearance_error + fine.backlash_of_least_side_clearance_error);
+    }
+}
+
 TEST_CASE("contact law: a flank between its points is the flank that many more points are on", "[law][contact]")
 {
     ConedDrive drive(builtin_scene(coned()), 3);

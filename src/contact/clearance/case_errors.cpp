@@ -116,19 +116,51 @@ double largest_between(std::vector<double> value, double safety = numeric::smoot
     return -numeric::least_between(value, safety);
 }
 
+/// The same of a value that may jump between two planes, where another corner decides. Of a jump its higher side may be
+/// larger than in the plane beside it by what it grows over one step, and a quarter of that.
+double largest_with_jumps(std::vector<double> const& value)
+{
+    constexpr double sharp = 8, growth = 1.25;
+    auto const n = static_cast<std::ptrdiff_t>(value.size());
+    auto const at = [&](std::ptrdiff_t k) { return value[static_cast<std::size_t>(k)]; };
+    auto const step = [&](std::ptrdiff_t k) { return k >= 0 && k + 1 < n ? std::abs(at(k + 1) - at(k)) : 0.0; };
+    auto const jumps = [&](std::ptrdiff_t k) {
+        return step(k) > sharp * std::max({step(k - 2), step(k - 1), step(k + 1), step(k + 2)});
+    };
+    double largest = std::ranges::max(value);
+    for (std::ptrdiff_t first = 0, last = 0; first < n; first = last = last + 1) {
+        while (last + 1 < n && !jumps(last))
+            ++last;
+        if (last - first > 1)
+            largest = std::max(largest, largest_between({value.begin() + first, value.begin() + last + 1}));
+        if (last > first && last + 1 < n)
+            largest = std::max(largest, at(last) + growth * (at(last) - at(last - 1)));
+        if (last > first && first > 0)
+            largest = std::max(largest, at(first) + growth * (at(first) - at(first + 1)));
+    }
+    return largest;
+}
+
 /// How much wider a tip circle the planes of @p finer, and what lies between them, need than the slices of the scene.
 double further_needed(CaseSurface const& surface, CaseSurface const& finer, double distance)
 {
     std::vector<double> const needed = surface.needed_by_slices();
     double const found = std::max(*std::max_element(needed.begin(), needed.end()), surface.solvable_tip(distance));
-    double const most = std::max(largest_between(finer.needed_by_slices()), finer.solvable_tip(distance));
+    double const most = std::max(largest_with_jumps(finer.needed_by_slices()), finer.solvable_tip(distance));
     return std::max(0.0, most - found);
 }
 
-/// The same of how far corners are lifted.
-double further_lifted(FlankGrid const& slices, FlankGrid const& between, double distance)
+/// The same of how far corners are lifted: off the final tip circle, where the flanks of @p between end, and off the
+/// one before it was widened.
+double further_lifted(CaseSurface const& finer, PartFlanks const& between, Cleared const& cleared)
 {
-    return std::max(0.0, largest_between(lifts_of_corners(between, distance)) - lift_of_corners(slices, distance));
+    double const further = largest_with_jumps(lifts_of_corners(between.grid, cleared.offset)) -
+                           lift_of_corners(cleared.flanks.grid, cleared.offset);
+    if (!cleared.lifted)
+        return std::max(0.0, further);
+    auto const [narrow, by] = *cleared.lifted;
+    FlankGrid const before = part_flanks(finer, finer.outline(narrow), narrow, 0).grid;
+    return std::max({0.0, further, narrow + largest_with_jumps(lifts_of_corners(before, by)) - cleared.tip});
 }
 
 /// Estimated error of the tip circle of @p cleared as that of the whole width [mm], at least the tolerance.
@@ -147,7 +179,7 @@ double least_tip_radius_error(CaseSurface const& surface, CaseSurface const& fin
     // corners rise by less than they are moved, also those that the slices did not have to move
     double const follows = context.tolerance.length +
                            further_needed(surface, finer, scene.circular_spline.backlash_offset) +
-                           further_lifted(cleared.flanks.grid, between.grid, cleared.offset) + error;
+                           further_lifted(finer, between, cleared) + error;
     double const pitch = 2 * std::numbers::pi / scene.drive.circular_spline_teeth;
     std::vector<double> meets;
     for (std::size_t k = 0; k < finer.z().size(); ++k) {

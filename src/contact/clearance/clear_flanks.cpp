@@ -22,7 +22,8 @@ void lift_tip(CaseSurface const& surface, SliceClearances const& clearances, Cle
     ContactContext const& context = surface.context();
     constexpr double more = 1.25;
     constexpr int budget = 8;
-    cleared.tip += lift_of_corners(cleared.flanks.grid, cleared.offset);
+    if (double const lift = lift_of_corners(cleared.flanks.grid, cleared.offset); lift > 0)
+        cleared.lifted = LiftedTip{std::exchange(cleared.tip, cleared.tip + lift), cleared.offset};
     cleared.outline = surface.outline(cleared.tip);
     double further = std::max(cleared.reach, cleared.offset);
     for (int i = 0; i < budget; ++i) {

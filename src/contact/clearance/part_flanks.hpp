@@ -2,6 +2,7 @@
 // Flanks of a part down to its tip circle, and the tip circle that leaves it a land.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "contact/flank_grid.hpp"
@@ -36,6 +37,13 @@ struct PartFlanks
 /// where its surface cannot be made so far beyond them; the most of all slices [mm].
 [[nodiscard]] double unseen_length(FlankGrid const& grid, double distance);
 
+/// A tip circle from which a side clearance lifted land corners, so that it was widened [mm].
+struct LiftedTip
+{
+    double tip = 0;
+    double side_clearance = 0;
+};
+
 /// A surface whose flanks clear: what side clearance and tip circle it takes.
 struct Cleared
 {
@@ -44,6 +52,7 @@ struct Cleared
     double reach = 0;                   ///< [mm]
     double offset = 0;
     double tip = 0;
+    std::optional<LiftedTip> lifted;
     TurnsOfSet at_zero;  ///< of the flanks without side clearance; empty: not known
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -47,24 +48,36 @@ struct PlaceRange
 /// Moving a flank along its normal opens a gap at least so much as fast as it moves.
 constexpr double flattest_slope = 0.05;
 
-/// The distance at which @p clearance(distance) is zero to @p enough, from the guess @p distance.
+/// The distance at which @p clearance(distance) is zero to @p enough, from the guess @p distance; of a clearance that
+/// jumps there, the distance to @p enough beyond which it is positive.
 ///
-/// Secant steps, the first of slope 1, none flatter than flattest_slope, since a tooth may meet the flank's end
-/// nearly along it. Nothing where 60 steps do not settle.
+/// Secant steps, the first of slope 1. A tooth may meet the flank's end nearly along it: where the clearance grows by
+/// less than flattest_slope steps double, until it has both signs, and then the range between them is halved. Nothing
+/// where 60 steps do not settle.
 template <class Clearance>
 [[nodiscard]] std::optional<double> side_clearance_search(Clearance&& clearance, double distance, double enough)
 {
     constexpr int budget = 60;
-    double before = distance;
-    double at_before = 0;
+    double const far = std::numeric_limits<double>::infinity();
+    double before = distance, at_before = 0;
+    double low = -far, high = far;  // where the clearance is known to be negative, and positive
     for (int i = 0; i < budget; ++i) {
         double const here = clearance(distance);
         if (std::abs(here) <= enough)
             return distance;
-        double const slope = distance != before ? (here - at_before) / (distance - before) : 1;
+        (here < 0 ? low : high) = distance;
+        if (high - low > 0 && high - low <= enough)
+            return high;
+        double const step = distance - before;
+        bool const is_first = step == 0;
+        double const slope = is_first ? 1 : (here - at_before) / step;
+        bool const is_flat = slope <= flattest_slope, is_closed = low < high && high - low < far;
+        double next = is_flat ? distance + std::copysign(2 * step, -here) : distance - here / slope;
+        if (is_closed && (is_flat || next <= low || next >= high))
+            next = 0.5 * (low + high);
         before = distance;
         at_before = here;
-        distance -= here / (slope > flattest_slope ? slope : 1);
+        distance = next;
     }
     return std::nullopt;
 }

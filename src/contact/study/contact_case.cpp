@@ -169,8 +169,11 @@ void write_contact(CaseSurface const& surface, Cleared const& part, Cleared cons
     // a side clearance that is given is what it is
     bool const as_given = result.backlash_offset == given && !automatic;
     double const chords = finer.solved_anew() && grid.slices() > 1 ? 2 * context.tolerance.length : 0;
-    double const off =
-        as_given ? chords + (chords > 0 ? overlap_at_ends(grid, given) : 0) : result.least_side_clearance_error;
+    // a tip circle that was found bounds flanks that may touch there
+    bool const tip_found = part.tip == cleared.tip && part.tip > surface.nominal_tip_radius();
+    double const by_tip = tip_found ? std::max(0.0, result.least_tip_radius_error - context.tolerance.length) : 0;
+    double const off = by_tip + (as_given ? chords + (chords > 0 ? overlap_at_ends(grid, given) : 0)
+                                          : result.least_side_clearance_error);
     // full turns are those of the sections only where these have a series
     bool const turns_tell = !scene.maps_axial_shift() || grid.slices() == 1 || context.maker.follows_sections();
     constexpr double unknown = -std::numeric_limits<double>::infinity();

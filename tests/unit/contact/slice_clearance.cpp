@@ -2,15 +2,35 @@
 // Full turns of the points of slices.
 #include "contact/clearance/slice_clearance.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "contact/clearance/side_clearance_search.hpp"
 #include "drive/drive.hpp"
 #include "support/catch.hpp"
 #include "support/coned_drive.hpp"
 
 namespace hdconj::test::slice_clearance_cases {
+
+TEST_CASE("a side clearance is found where the clearance hardly grows, and where it jumps", "[contact]")
+{
+    constexpr double enough = 1e-8;
+    // steep up to 0.035, then a corner that is met nearly along the flank: zero at 0.04
+    auto const flat = [](double at) { return std::min(at - 0.0353, 0.01 * (at - 0.04)); };
+    for (double const guess : {0.0, 0.034, 0.06}) {
+        auto const found = contact::side_clearance_search(flat, guess, enough);
+        REQUIRE(found);
+        CHECK(std::abs(flat(*found)) <= enough);
+    }
+    auto const jumping = [](double at) { return at < 0.04 ? at - 0.05 : at + 0.01; };
+    auto const found = contact::side_clearance_search(jumping, 0.03, enough);
+    REQUIRE(found);
+    CHECK(jumping(*found) > 0);
+    CHECK(*found - 0.04 <= enough);
+    CHECK_FALSE(contact::side_clearance_search([](double) { return -1.0; }, 0.01, enough));
+}
 
 TEST_CASE("full turns: points taken together are each what it is by itself, and those left out are left out",
           "[contact]")
