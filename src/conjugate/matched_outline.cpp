@@ -34,9 +34,10 @@ bool around_bottom(BoundaryStretch const& s)
                              (several ? ", slice " + std::to_string(slice + 1) + " of " + std::to_string(slices) : ""),
                          "has no flank between its bottom and the tip circle; the tip of the tooth alone makes the "
                          "space",
-                         "write a wave_generator.radial_deformation nearer to m (z_c - z_f)/2" +
-                             std::string(several ? ", a smaller circular_spline.width or slices.surface = \"tilted\""
-                                                 : " or a larger flexspline.profile.addendum"));
+                         several ? "write a smaller circular_spline.width, slices.surface = \"tilted\", or a "
+                                   "wave_generator.radial_deformation nearer to m (z_c - z_f)/2"
+                                 : "write a wave_generator.radial_deformation nearer to m (z_c - z_f)/2 or a larger "
+                                   "flexspline.profile.addendum");
 }
 
 /// The right half of @p slice runs bottom, flank, land; the left one the other way round.

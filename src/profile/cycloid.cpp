@@ -109,16 +109,26 @@ Profile cycloid_tooth(scene::FamilyChoice const& c, ToothPlace const& place, Fau
     double const cut = std::cbrt(60 * 0x1p-40);
     std::optional<double> const tip = at_height(outside, h_a, cut, outside.last());
     std::optional<double> const root = at_height(inside, -h_f, cut, inside.last());
+    // the flank ends beside the middle of the tooth, a little lower than twice the radius
+    auto const enough = [&](double radius, double side, double height) {
+        constexpr int rounds = 8;
+        constexpr double more = 1.001;
+        for (int i = 0; i < rounds; ++i) {
+            CycloidCurve const curve{r, side * radius, s / (2 * r)};
+            radius *= height / std::abs(curve(curve.last()).point.y());
+        }
+        return short_number(more * radius);
+    };
     if (!tip)
         refuse("addendum_rolling_radius",
                "the flank above the pitch line ends at height " + short_number(outside(outside.last()).point.y()) +
                    ", below the tip at " + short_number(h_a),
-               "write more than " + short_number(h_a / 2) + ", half the addendum");
+               "write at least " + enough(above, 1, h_a));
     if (!root)
         refuse("dedendum_rolling_radius",
                "the flank below the pitch line ends at height " + short_number(inside(inside.last()).point.y()) +
                    ", above the root at " + short_number(-h_f),
-               "write more than " + short_number(h_f / 2) + ", half the dedendum");
+               "write at least " + enough(below, -1, h_f));
     if (refuse.any())
         return {};
     if (!(outside(*tip).point.x() > -pointed_tip * h_a)) {

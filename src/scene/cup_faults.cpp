@@ -142,11 +142,15 @@ void check_coning(SceneReading const& reading, Faults& faults)
     auto const& scene = reading.scene;
     if (!scene.coning || !knows(reading, {"coning.model"}))
         return;
-    if (!scene.given.contains("coning.bottom_to_middle"))
+    if (!scene.given.contains("coning.bottom_to_middle")) {
+        auto const& cup = scene.flexspline.cup;
+        std::string const middle =
+            cup ? short_number(cup->length - cup->front_land - cup->tooth_width / 2) : std::string("9.0");
         faults.push_back({"coning.bottom_to_middle", scene.coning->line, "",
                           "this key is missing: model " + in_quotes(to_string(scene.coning->model)) +
                               " needs the distance from the cup's bottom",
-                          "write bottom_to_middle = 9.0, a length in mm"});
+                          "write bottom_to_middle = " + middle + ", a length in mm"});
+    }
     if (scene.is_elastic())
         check_elastic(reading, faults);
     if (knows(reading, {"coning.bottom_to_middle"}) && scene.coning->apex_height >= *scene.coning->bottom_to_middle) {

@@ -34,7 +34,7 @@ std::vector<BadScene> const& contact_rows()
          "write \"linear\""},
         {"elastic coning", "model = \"linear\"", "model = \"elastic\"", "flexspline.cup", "needs the cup's dimensions",
          "length = 15.0", 0},
-        {"no cup", "bottom_to_middle = 9.0", "", "coning.bottom_to_middle", "missing", "bottom_to_middle = 9.0"},
+        {"no cup", "bottom_to_middle = 9.0", "", "coning.bottom_to_middle", "missing", "bottom_to_middle = 9"},
         {"cup of no length", "bottom_to_middle = 9.0", "bottom_to_middle = 0", "coning.bottom_to_middle", "above 0",
          "above 0", 0},
         {"cup that is not finite", "bottom_to_middle = 9.0", "bottom_to_middle = nan", "coning.bottom_to_middle",

@@ -174,7 +174,7 @@ std::vector<BadScene> const& wrong_tables()
         {"unknown coning model", "", "[coning]\nmodel = \"lineer\"\nbottom_to_middle = 9\n", "coning.model",
          "unknown word", "write \"linear\""},
         {"linear coning without a length", "", "[coning]\nmodel = \"linear\"\n", "coning.bottom_to_middle", "missing",
-         "bottom_to_middle = 9.0"},
+         "bottom_to_middle = 9"},
         {"cup shorter than its teeth", "", "[coning]\nmodel = \"linear\"\nbottom_to_middle = 3.5\n",
          "coning.bottom_to_middle", "through the cup's bottom", "longer cup"},
         {"negative cup", "", "[coning]\nmodel = \"linear\"\nbottom_to_middle = -9\n", "coning.bottom_to_middle",

@@ -329,7 +329,7 @@ TEST_CASE("the back-driving torque does not depend on the torques of the efficie
     std::vector<double> found;
     for (char const* const torques : {"[27.7]", "[100]", "[3, 6, 7.5, 9, 10, 12]"}) {
         RunStudy const study =
-            loaded({"friction.flanks=0.1", "friction.seal=0.01", std::string("running.torques=") + torques}, 2);
+            loaded({"friction.flanks=0.1", "friction.seal=0.01", std::string("running.torques=") + torques});
         REQUIRE(study.losses);
         REQUIRE(study.losses->back_driving);
         found.push_back(*study.losses->back_driving);

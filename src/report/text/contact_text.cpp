@@ -131,7 +131,9 @@ void write_needs(Page& page, ContactStudy const& study, ContactCase const& each)
 void write_contact_places(Page& page, ContactStudy const& study)
 {
     double const tolerance = study.solution.scene.solver.tolerance;
-    page.line("\nwhere the teeth come closest over a full turn, with the side clearance of the scene");
+    page.line("\nwhere the teeth come closest over a full turn, {}",
+              study.solution.scene.circular_spline.automatic_backlash ? "without side clearance"
+                                                                      : "with the side clearance of the scene");
     page.line("  {:<10}{:<7}{:>6}   {:<7}{:>10}{:>10}{:>10}{:>9}{:>10}", "surface", "kind", "tilt", "", "clearance",
               "x", "y", "z", "phi");
     page.line("  {:<10}{:<7}{:>6}   {:<7}{:>10}{:>10}{:>10}{:>9}{:>10}", "", "", "deg", "", "um", "mm", "mm", "mm",
