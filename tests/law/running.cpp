@@ -343,6 +343,7 @@ TEST_CASE("torque and friction of a designed drive are within their errors of a 
     DesignWishes wishes;
     wishes.ratio = 100;
     wishes.diameter = 50;
+    wishes.torque = 28 * newton_metre;
     std::string const text = scene_text(design_drive(wishes));
     auto const run_with = [&](char const* slices, bool errors) {
         RunOptions options;
