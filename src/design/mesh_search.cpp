@@ -249,8 +249,10 @@ MeshAnswer any_mesh(Sheet const& sheet, DesignWishes const& wishes)
         if (found)
             return;
         MeshTrial const trial = search(usual_first[i]);
-        found = found || trial.refusal.empty();
-        wall_stress = wall_stress || trial.wall_stress;
+        if (trial.refusal.empty())
+            found = true;
+        if (trial.wall_stress)
+            wall_stress = true;
     });
     return {found, !found && wall_stress};
 }
