@@ -59,8 +59,8 @@ RunLosses losses_of(LossModel const& model, RunTask const& task, LossRuns const&
     return losses;
 }
 
-/// Adds @p factor times the difference to @p coarser, the next one first, to the errors. One that is not turned back up
-/// to the largest torque is turned there at the earliest.
+/// Adds @p factor times the difference to @p coarser, the next one first, to the errors. Where a coarser grid finds no
+/// back-driving torque, it is taken as the largest torque.
 void add_errors(std::vector<RunLosses> const& coarser, double factor, RunLosses& losses)
 {
     auto const add = [&](double& error, auto const& figure) {
@@ -80,7 +80,6 @@ void add_errors(std::vector<RunLosses> const& coarser, double factor, RunLosses&
             [largest](RunLosses const& each) { return each.back_driving.value_or(largest); });
     add(losses.ball_load_error, [](RunLosses const& each) { return each.ball_load; });
     add(losses.largest_sliding_error, [](RunLosses const& each) { return each.largest_sliding; });
-    losses.largest_sliding_error *= of_extreme;
 }
 
 /// The drive under each of @p torques at @ref loss_positions even positions over a tooth pitch; nothing where no
@@ -186,6 +185,7 @@ RunLosses run_losses(LossModel const& model, RunTask const& task, LossRuns const
     losses.estimated = !others.empty();
     if (losses.estimated) {
         add_errors(others, of_losses * safety, losses);
+        losses.largest_sliding_error *= of_extreme;
         add_errors({losses_of(model, task, {every_second(runs.asked), every_second(runs.between), 0})}, 1, losses);
         losses.back_driving_error += runs.unsettled;
     }
