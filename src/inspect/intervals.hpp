@@ -28,8 +28,9 @@ class Intervals
     /// The same of the largest of @p rivals figures that may each be the largest: what it exceeds the true one by
     /// in 2.5 of 100 cases at most (Bonferroni).
     [[nodiscard]] double half_width(double variance, std::size_t rivals) const;
-    /// The amplitude of two components, each of @p variance. One of zero is covered too: up to twice what noise makes
-    /// of zero in 95 of 100 cases, the half width is that; beyond, that of the component along the amplitude.
+    /// The amplitude of a vector of two components, each of @p variance. Noise alone makes an amplitude, so that small
+    /// ones have a wider interval: let a be what the amplitude of a zero vector stays below in 95 of 100 cases. Up to 2
+    /// a the half width is a; beyond, it is that of the component along the vector.
     [[nodiscard]] Uncertain amplitude(double value, double variance) const;
     [[nodiscard]] Uncertain figure(double value, double variance) const { return {value, half_width(variance)}; }
 

@@ -86,7 +86,7 @@ void check_compliance(SceneReading const& reading, Faults& faults)
                           scene.compliance->line > 0 ? "" : "--set"});
 }
 
-/// Fits and plays of a part of a millimetre: larger ones lift the cup off the wave generator, or make it another one.
+/// Fit, oversize and clearance of a bearing are small parts of the module. Larger ones are given in another unit.
 void check_bearing_lengths(SceneReading const& reading, Faults& faults)
 {
     BearingChoice const& bearing = *reading.scene.bearing;
@@ -95,7 +95,8 @@ void check_bearing_lengths(SceneReading const& reading, Faults& faults)
          {std::pair("bearing.fit", bearing.fit), std::pair("bearing.cam_oversize", bearing.cam_oversize),
           std::pair("bearing.clearance", bearing.clearance)})
         if (knows(reading, {"drive.module", key}) && length > most)
-            add_at(faults, key, number_text(length), "more than half of the module makes another wave generator",
+            add_at(faults, key, number_text(length),
+                   "is more than half of the module: no bearing has so large a fit or clearance",
                    "write a length in mm, such as 0.005");
 }
 
