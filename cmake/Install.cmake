@@ -6,7 +6,7 @@ set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/hdconj")
 
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
         FILES_MATCHING PATTERN "*.hpp")
-foreach(component core region solve accuracy io files all)
+foreach(component scene core region physics solve accuracy io files all)
   install(TARGETS hdconj_${component} EXPORT hdconj-${component})
   install(EXPORT hdconj-${component} NAMESPACE hdconj:: DESTINATION "${package_dir}")
 endforeach()

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #   hdconj_library(<name> SOURCES <files> PUBLIC <libraries> PRIVATE <libraries> [PARTS <number>]
-#                  [PRECOMPILED <headers>] [PRECOMPILED_AS <library>])
+#                  [OPTIONS <of the compiler>] [PRECOMPILED <headers>] [PRECOMPILED_AS <library>])
 # Adds hdconj_<name> with the alias hdconj::<name>, the name that an installed package uses too. A unity build
 # (HDCONJ_UNITY) compiles the sources in that many parts (1) and precompiles the headers, or uses those of another
 # library with the same flags; an ordinary build does not, so that it finds each missing #include.
 function(hdconj_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PARTS;PRECOMPILED_AS" "SOURCES;PUBLIC;PRIVATE;PRECOMPILED")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PARTS;PRECOMPILED_AS" "SOURCES;PUBLIC;PRIVATE;OPTIONS;PRECOMPILED")
   set(target hdconj_${name})
   add_library(${target} ${arg_SOURCES})
   add_library(hdconj::${name} ALIAS ${target})
@@ -14,6 +14,7 @@ function(hdconj_library name)
     PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>" "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>"
     PRIVATE "${PROJECT_SOURCE_DIR}/src")
   target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+  target_compile_options(${target} PRIVATE ${arg_OPTIONS})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} VERSION ${PROJECT_VERSION} SOVERSION 0
                         POSITION_INDEPENDENT_CODE ON
                         UNITY_BUILD ${HDCONJ_UNITY} UNITY_BUILD_MODE GROUP)

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "drive/drive.hpp"
-#include "hdconj/distance/full_turn.hpp"
+#include "hdconj/distance/any_full_turn.hpp"
 #include "hdconj/envelope/find_branches.hpp"
 #include "hdconj/envelope/sample.hpp"
 #include "hdconj/error.hpp"

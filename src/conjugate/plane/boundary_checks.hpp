@@ -12,7 +12,7 @@
 #include "conjugate/outline.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/conjugate/tooth_space.hpp"
-#include "hdconj/distance/full_turn.hpp"
+#include "hdconj/distance/any_full_turn.hpp"
 #include "hdconj/envelope/any_envelope.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/solution.hpp"

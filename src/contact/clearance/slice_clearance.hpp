@@ -11,7 +11,7 @@
 #include "contact/flank_grid.hpp"
 #include "contact/study/contact_context.hpp"
 #include "hdconj/contact.hpp"
-#include "hdconj/distance/full_turn.hpp"
+#include "hdconj/distance/any_full_turn.hpp"
 
 namespace hdconj::contact {
 
