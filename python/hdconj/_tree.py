@@ -129,7 +129,7 @@ class Group(Mapping[str, Member]):
         """An error; not a number where `estimated` beside it says that there is none, and None where there is none."""
         try:
             if is_attribute:
-                return self._attribute(error)
+                return self.attrs[error] if self.attrs.get("estimated", 1) else None
             found, apart = self[error], error.rpartition("/")[0]
         except KeyError:  # where errors stand apart, not every group has them
             return None
@@ -137,11 +137,6 @@ class Group(Mapping[str, Member]):
         if marks is None or marks.values.all():
             return found
         return frozen(np.where(marks.values != 0, found, np.nan)) if marks.values.any() else None
-
-    def _attribute(self, path: str) -> Any:
-        """An attribute of this group, or of one in it."""
-        name, _, rest = path.partition("/")
-        return self.groups[name]._attribute(rest) if rest else self.attrs[name]
 
     def __getitem__(self, path: str) -> Member:
         if not isinstance(path, str):

@@ -107,7 +107,8 @@ class LastNumbers final : public io::layout::GroupSink
             return std::nullopt;
         std::optional<double> const found = at(path, is_attribute);
         std::size_t const slash = path.rfind('/');
-        bool const left_out = slash != std::string::npos && at(path.substr(0, slash) + "/estimated", is_attribute) == 0;
+        std::string const group = slash != std::string::npos ? path.substr(0, slash + 1) : "";
+        bool const left_out = at(group + "estimated", is_attribute) == 0;
         return found && left_out ? std::optional(not_a_number) : found;
     }
 

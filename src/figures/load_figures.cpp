@@ -207,9 +207,9 @@ Rows<LoadCase> load_case_figures()
         figure<&T::tip_radius_increase>("tip_radius_increase", um,
                                         "how much wider the tip circle is than the scene gives", {"wider", decimals<2>})
             .formerly("tip_change"),
-        pair<&T::backlash, &T::backlash_error>("backlash", arcmin, "backlash without torque")
-            .without(hdf5_error | json_error)  // with the estimates of the case
-            .printed({"backlash", fixed<2>, significant<2>}),
+        pair<&T::backlash, &T::backlash_error>("backlash", arcmin, "backlash without torque",
+                                               {"backlash", fixed<2>, significant<2>})
+            .without(hdf5_error),  // with the estimates of the case
         figure<&T::stages, &Stages::first>("first_stage", newton_metre_per_rad,
                                            "slope of the first of two lines through the curve",
                                            {"first", table_number, two_digits, &newton_metre_per_degree})

@@ -235,6 +235,9 @@ def test_no_second_hdf5(first, second, tmp_path):
     assert "hdf5" not in linked.stdout
 
 
+IN_THE_CUP = ("coning_major", "coning_minor", "wave_generator_force", "largest_stress")
+
+
 def test_what_was_not_estimated_has_no_error():
     """A load without errors leaves them out, as a contact does; the file keeps zeros and their mark."""
     scene = hdconj.Scene.load(SOURCE / "data/scenes/type-50-elastic.toml")
@@ -242,8 +245,9 @@ def test_what_was_not_estimated_has_no_error():
     for errors in (True, False):
         result = hdconj.load(scene.with_(small), torque=5, curve=False, errors=errors)
         curve = result["load/case_000/curve"]
-        for figure in (result.figures["twist"], result.load.figures["twist"], curve.figures["twist"]):
-            assert figure.error[0] > 0 if errors else figure.error is None
+        columns = (result.figures["twist"], result.load.figures["twist"], curve.figures["twist"])
+        for figure in (*columns, result.figures["backlash"], *(result.load.cup.figures[name] for name in IN_THE_CUP)):
+            assert np.all(np.asarray(figure.error) > 0) if errors else figure.error is None
         assert list(result["load/error/estimated"]) == [errors] and (result["load/error/twist"][0] > 0) == errors
     whole = hdconj.contact(scene.with_({**small, "slices.count": 2}), errors=False)
     assert whole.figures["contact_area"].error is None

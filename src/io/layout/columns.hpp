@@ -49,15 +49,19 @@ void write_column(Writer const& place, figures::FigureOf<Record> const& figure, 
         place.link(name, prefix + name_of(figure.under_former_name()));
 }
 
-/// Says where value and error of a figure stand. @param suffix  of both names
+/// Says where value and error of a figure stand: a column's error beside it, or else in the group `error`, if anywhere.
+/// @param suffix  of both names
 template <class Record>
 void write_figure(Writer const& place, figures::FigureOf<Record> const& figure, std::string const& prefix,
                   std::string const& suffix, bool is_attribute, bool estimated = true)
 {
     std::string error;
-    if (estimated && figure.is_in(figures::hdf5_error))
-        error = (figure.apart ? "error/" : "") + prefix +
-                (is_attribute ? std::string(figure.name) + "_error" : figure.column_of_error()) + suffix;
+    if (estimated && is_attribute && figure.is_in(figures::hdf5_error))
+        error = prefix + std::string(figure.name) + "_error" + suffix;
+    else if (estimated && figure.is_in(figures::hdf5_error) && !figure.apart)
+        error = prefix + figure.column_of_error();
+    else if (estimated && figure.error != nullptr)
+        error = "error/" + prefix + figure.name;
     place.figure(
         {prefix + figure.name, prefix + figure.name + suffix, error, figure.unit.stored, figure.meaning, is_attribute});
 }

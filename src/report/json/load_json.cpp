@@ -43,8 +43,6 @@ Json load_case_object(LoadCase const& each, int balls)
     auto const* rated = figures::rated_state(each);
     object["rated"] = rated != nullptr ? figures_object(rows, *rated) : Json(nullptr);
     object["rated_error"] = error_object(rows, each.estimated ? &each.error : nullptr);
-    auto const backlash = figures::load_case_figures()["backlash"];
-    object[backlash.json_key_of_error()] = each.estimated ? error_of(backlash, each) : Json(nullptr);
     object["pressure_at_edge"] = each.pressure_at_edge;
     object["not_converged"] = figures::unconverged_figures(each, balls);
     object["bearing"] = bearing_object(each.bearing, rows);
