@@ -49,4 +49,19 @@ double ClosedCurve::curvature(double x) const
     return CurveRule::curvature(r_0_ + d.w, d.w1, d.w2);
 }
 
+std::vector<Vec2> ClosedCurve::outline(int points, double inside) const
+{
+    std::vector<Vec2> outline;
+    for (int i = 0; i < points; ++i) {
+        double const u = 2 * std::numbers::pi * i / points;
+        Place const at = (*this)(u);
+        double const polar = rule_.exact ? u : u + at.state[1] / rule_.r_m;
+        double const rho = rule_.r_m + at.state[0];
+        double const normal = polar - (rule_.exact ? std::atan2(at.slope, rho) : at.slope / rule_.r_m);
+        outline.push_back(rho * Vec2(std::sin(polar), std::cos(polar)) -
+                          inside * Vec2(std::sin(normal), std::cos(normal)));
+    }
+    return outline;
+}
+
 }  // namespace hdconj::cam

@@ -27,6 +27,8 @@ class ClosedCurve
     };
     [[nodiscard]] Place operator()(double x) const;
     [[nodiscard]] double curvature(double x) const;
+    /// @p points points (n,2) at equal angles of a turn on the parallel curve that is @p inside of it [mm].
+    [[nodiscard]] std::vector<Vec2> outline(int points, double inside) const;
     /// Base radius r_0 and amplitude w0 of the table.
     [[nodiscard]] double r_0() const { return r_0_; }
     [[nodiscard]] double amplitude() const { return shape_.amplitude(); }

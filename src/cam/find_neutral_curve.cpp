@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numbers>
 
@@ -19,8 +20,6 @@
 namespace hdconj::cam {
 namespace {
 
-constexpr double no_error = std::numeric_limits<double>::quiet_NaN();
-
 class Search
 {
   public:
@@ -31,22 +30,23 @@ class Search
         rule_ = {given.geometry.r_m,
                  static_cast<double>(scene.drive.flexspline_teeth) / scene.drive.circular_spline_teeth,
                  scene.solver.kinematics == Kinematics::exact};
-        half_wave_ = std::numbers::pi / waves_;
+        out.flank_error = scene.solver.tolerance;
         // some roundings of the tooth's size
         rounding_ = 16 * unit_roundoff * (given.flexspline.addendum + given.flexspline.dedendum);
     }
 
     void operator()()
     {
+        std::array<WantedCurve, 2> moved;
         clock_.run(Stage::neutral_curve, [&] {
-            FlankPair const pair = flanks(0);
-            choose_major(pair);
-            Mesh const mesh = mesh_of(pair, rule_, waves_, out_.major_displacement, rounding_);
-            fill_rows(pair, mesh);
-            fill_errors(mesh);
-            close(pair);
+            choose_major(flanks(0));
+            fill_errors(find(0));
+            parallel_for(moved.size(), out_.threads, 1,
+                         [&](std::size_t i) { moved[i] = moved_by(i == 0 ? -out_.flank_error : out_.flank_error); });
         });
         clock_.run(Stage::interference, [&] { check_turn(); });
+        for (WantedCurve const& other : moved)
+            add_difference(other);
     }
 
   private:
@@ -55,6 +55,33 @@ class Search
         double const half_pitch = std::numbers::pi / out_.scene.drive.circular_spline_teeth;
         return {Flank(given_.flexspline), Flank(given_.circular_spline),
                 right_wall(half_pitch, rule_.r_m, given_.seat_height), offset};
+    }
+
+    /// The closed curve of flanks that are moved outward by @p offset.
+    Mesh find(double offset)
+    {
+        FlankPair const pair = flanks(offset);
+        Mesh mesh = mesh_of(pair, rule_, waves_, out_.major_displacement, rounding_);
+        fill_rows(pair, mesh);
+        close(pair);
+        return mesh;
+    }
+
+    /// A curve of its own for flanks that are moved outward by @p offset; without rows where they have none.
+    [[nodiscard]] WantedCurve moved_by(double offset) const
+    {
+        WantedCurve moved;
+        moved.scene = out_.scene;
+        moved.geometry = out_.geometry;
+        moved.major_displacement = out_.major_displacement;
+        Search search(moved, given_, clock_);
+        try {
+            search.find(offset);
+            search.check_turn();
+        } catch (NumericalError const&) {
+            moved.rows.clear();
+        }
+        return moved;
     }
 
     void choose_major(FlankPair const& pair)
@@ -73,20 +100,9 @@ class Search
 
     void fill_rows(FlankPair const& pair, Mesh const& mesh)
     {
-        std::vector<MeshPoint> const& points = mesh.curve.points;
         MeshClosing const closing = closing_of(pair, rule_, waves_, out_.major_displacement, mesh);
         std::size_t const last = closing.last;
-        for (std::size_t i = 0; i <= half_wave_rows; ++i) {
-            double const u = angle(i);
-            bool const before = i<mesh.first, beyond = i> last;
-            if (before || beyond) {
-                EvenPolynomial::Value const at = before ? mesh.begin.to_axis(u) : closing.rest(half_wave_ - u);
-                out_.rows.push_back({u, at.value, before ? at.slope : -at.slope, 0, no_error, false});
-            } else {
-                MeshPoint const& point = points[i - mesh.first];
-                out_.rows.push_back({u, point.state[0], point.slope, 0, 0, true});
-            }
-        }
+        out_.rows = closed_rows(mesh, closing, waves_);
         out_.touch_begin = mesh.begin.first;
         bool const whole = last == mesh.last();
         out_.touch_end = whole ? mesh.curve.last.x : angle(last);
@@ -102,7 +118,6 @@ class Search
     /// What a flank that is moved outward by a little does to the curve, per length.
     void fill_errors(Mesh const& mesh)
     {
-        out_.flank_error = out_.scene.solver.tolerance;
         // far above rounding, and still small when it has grown a million times
         double const probe = 0x1p-34 * (given_.flexspline.addendum + given_.flexspline.dedendum);
         Mesh const moved = mesh_of(flanks(probe), rule_, waves_, out_.major_displacement, rounding_);
@@ -129,16 +144,18 @@ class Search
             std::abs(moved.begin.first - out_.touch_begin) * (out_.flank_error / probe) + mesh.begin.first_error;
     }
 
+    /// The closed curve through every @p stride-th row.
+    [[nodiscard]] ClosedCurve curve_of_rows(std::size_t stride) const
+    {
+        std::vector<double> displacement;
+        for (std::size_t i = 0; i < out_.rows.size(); i += stride)
+            displacement.push_back(out_.rows[i].displacement);
+        return {rule_, waves_, displacement};
+    }
+
     void close(FlankPair const& pair)
     {
-        std::vector<double> displacement, thinned;
-        for (std::size_t i = 0; i <= half_wave_rows; ++i) {
-            displacement.push_back(out_.rows[i].displacement);
-            if (i % 2 == 0)
-                thinned.push_back(out_.rows[i].displacement);
-        }
-        ClosedCurve const curve(rule_, waves_, displacement);
-        ClosedCurve const coarse(rule_, waves_, thinned);
+        ClosedCurve const curve = curve_of_rows(1), coarse = curve_of_rows(2);
         fill_curvature(curve, coarse);
         out_.geometry.r_0 = curve.r_0();
         out_.geometry.w0 = curve.amplitude();
@@ -157,7 +174,7 @@ class Search
                 out_.residual_error = std::max(out_.residual_error, std::abs(*other - *gap) / 8);
         }
         out_.residual_error += 64 * unit_roundoff * rule_.r_m;
-        outlines(curve);
+        draw(curve);
     }
 
     [[nodiscard]] std::optional<double> gap_at(FlankPair const& pair, double u, ClosedCurve::Place const& at) const
@@ -198,43 +215,53 @@ class Search
         out_.stress_error = stress * out_.curvature_error;
     }
 
-    void outlines(ClosedCurve const& curve)
+    void draw(ClosedCurve const& curve)
     {
         out_.inner_distance = out_.scene.wave_generator.shape.number("inner_distance")
                                   .value_or(out_.geometry.r_m - out_.geometry.flexspline_inner_radius);
         if (!(out_.inner_distance * out_.largest_curvature < 1))
             out_.notes.push_back(
-                "the parallel curve at wave_generator.inner_distance folds over itself: the neutral "
-                "curve is bent more sharply than that");
+                "the parallel curve at wave_generator.inner_distance folds over itself: the neutral curve is bent more "
+                "sharply");
         int const points = 2 * static_cast<int>(half_wave_rows) * waves_;
-        for (int i = 0; i < points; ++i) {
-            double const u = 2 * std::numbers::pi * i / points;
-            ClosedCurve::Place const at = curve(u);
-            double const polar = rule_.exact ? u : u + at.state[1] / rule_.r_m;
-            double const rho = rule_.r_m + at.state[0];
-            double const normal = polar - (rule_.exact ? std::atan2(at.slope, rho) : at.slope / rule_.r_m);
-            Vec2 const p = rho * Vec2(std::sin(polar), std::cos(polar));
-            out_.neutral_curve.push_back(p);
-            out_.inner_surface.push_back(p - out_.inner_distance * Vec2(std::sin(normal), std::cos(normal)));
-        }
+        out_.neutral_curve = curve.outline(points, 0);
+        out_.inner_surface = curve.outline(points, out_.inner_distance);
     }
 
     void check_turn()
     {
-        std::vector<double> displacement;
-        for (WantedCurveRow const& row : out_.rows)
-            displacement.push_back(row.displacement);
-        ClosedCurve const curve(rule_, waves_, displacement);
-        LeastClearance const least = least_clearance(given_, rule_, curve, out_.scene, out_.threads);
+        LeastClearance const least = least_clearance(given_, rule_, curve_of_rows(1), out_.scene, out_.threads);
         out_.smallest_clearance = least.clearance;
         out_.clearance_u = least.u;
         out_.clearance_error = least.error;
         if (least.clearance < -out_.scene.solver.tolerance - least.error)
+            out_.notes.push_back(fmt::format(
+                "both teeth overlap by {:.3g} mm at u = {:.4g} deg, {} the stretch where their flanks touch",
+                -least.clearance, to_deg(least.u),
+                least.u > out_.touch_end || least.u < out_.touch_begin ? "outside" : "on"));
+    }
+
+    /// Where a curve leaves its flanks and closes is no smooth function of them: their error moves these figures by as
+    /// much as the curve of @p moved flanks differs.
+    void add_difference(WantedCurve const& moved)
+    {
+        constexpr double safety = 1.5;  // two samples of what their error may do
+        auto const difference = [&](double WantedCurve::*figure) {
+            return moved.rows.empty() ? std::numeric_limits<double>::infinity()
+                                      : safety * std::abs(moved.*figure - out_.*figure);
+        };
+        auto const raise = [](double& error, double to) { error = std::max(error, to); };
+        raise(out_.touch_end_error, difference(&WantedCurve::touch_end));
+        raise(out_.curvature_error, difference(&WantedCurve::least_curvature));
+        raise(out_.curvature_error, difference(&WantedCurve::largest_curvature));
+        raise(out_.stress_error, difference(&WantedCurve::bending_stress));
+        raise(out_.clearance_error, difference(&WantedCurve::smallest_clearance));
+        if (moved.rows.empty())
             out_.notes.push_back(
-                fmt::format("both teeth overlap by {:.3g} mm at u = {:.4g} deg, {} the stretch where "
-                            "their flanks touch",
-                            -least.clearance, to_deg(least.u),
-                            least.u > out_.touch_end || least.u < out_.touch_begin ? "outside" : "on"));
+                fmt::format("flanks that are moved by their error, {:.2g} mm, give no closed curve: curvature, stress "
+                            "and clearance "
+                            "are not determined",
+                            out_.flank_error));
     }
 
     WantedCurve& out_;
@@ -242,7 +269,6 @@ class Search
     drive::StageClock& clock_;
     int waves_;
     CurveRule rule_;
-    double half_wave_ = 0;
     double rounding_ = 0;
 };
 

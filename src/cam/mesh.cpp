@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "hdconj/error.hpp"
@@ -92,6 +93,25 @@ MeshClosing closing_of(FlankPair const& pair, CurveRule const& rule, int waves, 
                     why_parted(pair, mesh.curve.last), to_deg(mesh.begin.first), most_bending),
         "write another wave_generator.major_displacement, or give teeth that are conjugate to each other over a longer "
         "stretch");
+}
+
+std::vector<WantedCurveRow> closed_rows(Mesh const& mesh, MeshClosing const& closing, int waves)
+{
+    constexpr double no_error = std::numeric_limits<double>::quiet_NaN();
+    double const half_wave = row_angle(half_wave_rows, waves);
+    std::vector<WantedCurveRow> rows;
+    for (std::size_t i = 0; i <= half_wave_rows; ++i) {
+        double const u = row_angle(i, waves);
+        bool const before = i<mesh.first, beyond = i> closing.last;
+        if (before || beyond) {
+            EvenPolynomial::Value const at = before ? mesh.begin.to_axis(u) : closing.rest(half_wave - u);
+            rows.push_back({u, at.value, before ? at.slope : -at.slope, 0, no_error, false});
+        } else {
+            MeshPoint const& point = mesh.curve.points[i - mesh.first];
+            rows.push_back({u, point.state[0], point.slope, 0, 0, true});
+        }
+    }
+    return rows;
 }
 
 }  // namespace hdconj::cam

@@ -4,8 +4,10 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "completion.hpp"
+#include "hdconj/wanted_curve.hpp"
 
 namespace hdconj::cam {
 
@@ -44,5 +46,9 @@ struct MeshClosing
 /// @throws NumericalError where there is none, with the angle at which the flanks would part
 [[nodiscard]] MeshClosing closing_of(FlankPair const& pair, CurveRule const& rule, int waves, double major,
                                      Mesh const& mesh);
+
+/// Half a wave: the mesh up to where it is left, the beginning before it and the rest after it. Errors are zero where
+/// flanks touch, and not a number elsewhere.
+[[nodiscard]] std::vector<WantedCurveRow> closed_rows(Mesh const& mesh, MeshClosing const& closing, int waves);
 
 }  // namespace hdconj::cam

@@ -83,6 +83,23 @@ TEST_CASE("a curve that would bend too much leaves the flanks", "[wanted]")
     CHECK(contains(found.notes[1], "leaves the flanks at"));
 }
 
+TEST_CASE("flanks moved by their error move the closed curve's figures by no more than theirs", "[wanted]")
+{
+    auto const found = [](char const* offset) {
+        return find_neutral_curve(read_scene(scene, {std::string("flexspline.profile.convex_offset=") + offset}));
+    };
+    WantedCurve const given = found("0.0982");
+    CHECK(given.flank_error == 1e-8);
+    for (char const* moved : {"0.09819999", "0.09820001"}) {
+        INFO(moved);
+        WantedCurve const other = found(moved);
+        CHECK(std::abs(other.bending_stress - given.bending_stress) < given.stress_error);
+        CHECK(std::abs(other.least_curvature - given.least_curvature) < given.curvature_error);
+        CHECK(std::abs(other.smallest_clearance - given.smallest_clearance) < given.clearance_error);
+        CHECK(std::abs(other.touch_end - given.touch_end) < given.touch_end_error);
+    }
+}
+
 TEST_CASE("summary, JSON and files of a wanted neutral curve", "[program][wanted]")
 {
     TemporaryFolder const folder;
