@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "hdconj/base/tolerance.hpp"
 
@@ -40,7 +39,25 @@ FlankPair::FlankPair(Flank inner, Flank outer, Pose const& seat, double offset)
     for (FlankPlace const& place : outer_.places(outer_.length() / outer_steps)) {
         PointOnFlank const p = outer_.at(place);
         outer_samples_.push_back({place, seat_(p.point), seat_.rotate(p.normal())});
+        if (std::size_t const n = outer_samples_.size(); n > 1)
+            outer_spacing_ =
+                std::max(outer_spacing_, (outer_samples_[n - 1].point - outer_samples_[n - 2].point).norm());
     }
+}
+
+FlankPair::Sample const& FlankPair::nearest(Vec2 const& p, Sample const& guess) const
+{
+    Sample const* best = &guess;
+    double least = (p - guess.point).norm();
+    for (std::size_t i = 0; i < outer_samples_.size();) {
+        double const d = (p - outer_samples_[i].point).norm();
+        if (d < least) {
+            least = d;
+            best = &outer_samples_[i];
+        }
+        i += 1 + static_cast<std::size_t>((d - least) / outer_spacing_);  // so far none can be nearer
+    }
+    return *best;
 }
 
 std::optional<Tangency> FlankPair::refined(Tangency const& seed, ToothOrigin const& origin) const
@@ -93,25 +110,20 @@ std::vector<Tangency> FlankPair::tangencies(ToothOrigin const& origin, double th
 {
     Pose const pose = pose_at(origin, theta);
     std::vector<double> gaps;
-    std::vector<FlankPlace> nearest;
+    std::vector<FlankPlace> places;
+    Sample const* best = &outer_samples_.front();
     for (Sample const& a : inner_samples_) {
         Vec2 const p = pose(a.point);
-        Sample const* best = nullptr;
-        double least = std::numeric_limits<double>::infinity();
-        for (Sample const& b : outer_samples_)
-            if (double const d = (p - b.point).squaredNorm(); d < least) {
-                least = d;
-                best = &b;
-            }
+        best = &nearest(p, *best);
         gaps.push_back((p - best->point).dot(best->normal));
-        nearest.push_back(best->place);
+        places.push_back(best->place);
     }
     std::vector<Tangency> found;
     for (std::size_t i = 0; i < gaps.size(); ++i) {
         bool const low = (i == 0 || gaps[i] <= gaps[i - 1]) && (i + 1 == gaps.size() || gaps[i] <= gaps[i + 1]);
         if (!low)
             continue;
-        if (auto const tangency = refined({inner_samples_[i].place, nearest[i], theta, 0}, origin))
+        if (auto const tangency = refined({inner_samples_[i].place, places[i], theta, 0}, origin))
             found.push_back(*tangency);
     }
     std::sort(found.begin(), found.end(), [](Tangency const& a, Tangency const& b) { return a.theta < b.theta; });

@@ -72,16 +72,20 @@ class FlankPair
     [[nodiscard]] double offset() const { return offset_; }
 
   private:
-    Flank inner_, outer_;
-    Pose seat_;
-    double offset_;
     struct Sample
     {
         FlankPlace place;
         Vec2 point, normal;
     };
+    /// The sample of the wall nearest to @p p. @param guess  one of them, perhaps near
+    [[nodiscard]] Sample const& nearest(Vec2 const& p, Sample const& guess) const;
+
+    Flank inner_, outer_;
+    Pose seat_;
+    double offset_;
     std::vector<Sample> inner_samples_;  ///< in the frame of the tooth
     std::vector<Sample> outer_samples_;  ///< in the frame of the circular spline
+    double outer_spacing_ = 0;           ///< largest distance of neighbours among them
 };
 
 }  // namespace hdconj::cam
