@@ -104,7 +104,8 @@ void add_solve(CLI::App& program, CommonOptions& common)
     add_name(verb, "--dxf", own.dxf, "outlines for CAD and wire machines, DXF R12", "FILE");
     add_name(verb, "--picture", own.picture, "drawing of the tooth space, needs gnuplot", "FILE.svg|FILE.png");
     add_name(verb, "--spline-tooth", own.spline_tooth,
-             "right flank of the circular spline's tooth, for [circular_spline.profile] and its family \"points\"",
+             "right flank of the circular spline's tooth, its longest smooth piece, for [circular_spline.profile] and "
+             "its family \"points\"",
              "FILE.csv");
     add_name(verb, "--cam", own.cam, "table of the wanted neutral curve, for wave_generator.family = \"table\"",
              "FILE.csv");

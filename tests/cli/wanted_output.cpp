@@ -176,4 +176,20 @@ TEST_CASE("the circular spline's tooth of a solved drive is a file of points", "
           content(std::string(HDCONJ_SOURCE_DIR) + "/data/scenes/type-50-wanted-tooth.csv"));
 }
 
+TEST_CASE("a file of the circular spline's tooth says what it leaves out", "[wanted]")
+{
+    TemporaryFolder const folder;
+    Solution const drive = solve(read_scene(std::string(HDCONJ_SOURCE_DIR) + "/data/scenes/cycloid.toml"));
+    write_spline_tooth(drive, folder / "tooth.csv");
+    std::string const head = content(folder / "tooth.csv");
+    auto const number_after = [&](std::string const& words) {
+        REQUIRE(contains(head, words));
+        return std::stod(head.substr(head.find(words) + words.size()));
+    };
+    // the piece ends beyond the tip circle
+    CHECK(number_after("goes on for ") ==
+          Approx(number_after("inner_radius = ") - drive.geometry.circular_spline_inner_radius).margin(1e-3));
+    CHECK(number_after("at the tip and for ") > 0);
+}
+
 }  // namespace hdconj::test::wanted_output_cases

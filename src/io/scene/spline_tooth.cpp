@@ -2,6 +2,7 @@
 // The solved tooth of the circular spline as points, for [circular_spline.profile].
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "base/text.hpp"
@@ -47,10 +48,15 @@ void write_spline_tooth(Solution const& solution, std::filesystem::path const& f
         fmt::format_to(std::back_inserter(rows), "{:.15f},{:.15f}\n", p.x(), p.y());
     }
     double const tip = frame.origin.norm() - frame.inverse(outline[last]).y();
+    auto const [lowest, highest] = std::ranges::minmax(outline, {}, [](Vec2 const& p) { return p.norm(); });
     file::write_text_atomically(
         file, fmt::format("# right flank of the circular spline's tooth of {}, from tip to root, y from the pitch line "
-                          "towards the axis\n# write circular_spline.inner_radius = {:.15g} with it\nx,y\n",
-                          printable(solution.scene.drive.name), tip) +
+                          "towards the axis\n"
+                          "# the longest smooth piece: the solved tooth goes on for {:.4f} mm of height at the tip and "
+                          "for {:.4f} mm at the root\n"
+                          "# write circular_spline.inner_radius = {:.15g} with it\nx,y\n",
+                          printable(solution.scene.drive.name), outline[last].norm() - lowest.norm(),
+                          highest.norm() - outline[first].norm(), tip) +
                   rows);
 }
 
