@@ -64,4 +64,14 @@ std::vector<Vec2> ClosedCurve::outline(int points, double inside) const
     return outline;
 }
 
+std::optional<double> gap_at(FlankPair const& pair, CurveRule const& rule, double u, ClosedCurve::Place const& at)
+{
+    ToothOrigin const origin = rule.origin(u, at.state);
+    double const theta = rule.theta(origin, at.slope);
+    std::vector<Tangency> const found = pair.tangencies(origin, theta);
+    if (found.empty())
+        return std::nullopt;
+    return (found.front().theta - theta) * found.front().lever;
+}
+
 }  // namespace hdconj::cam

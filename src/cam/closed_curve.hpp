@@ -2,6 +2,7 @@
 // The found neutral curve as any drive has one: a closed curve by a table, and what it does with both teeth.
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -40,6 +41,11 @@ class ClosedCurve
     motion::FirstOrderMotion<wavegen::AnyWaveShape> linear_;
     double r_0_;
 };
+
+/// Gap of the flanks at @p u, where the tooth stands at @p at [mm], negative: they overlap; none where they do not face
+/// each other.
+[[nodiscard]] std::optional<double> gap_at(FlankPair const& pair, CurveRule const& rule, double u,
+                                           ClosedCurve::Place const& at);
 
 /// Angles and displacements of a whole wave, from those of its half.
 [[nodiscard]] std::pair<std::vector<double>, std::vector<double>> whole_wave(std::vector<double> const& half,

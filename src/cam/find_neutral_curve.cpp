@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Long: one search, whose steps fill one curve and its errors.
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
@@ -12,6 +13,7 @@
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/base/tolerance.hpp"
 #include "hdconj/check.hpp"
+#include "hdconj/error.hpp"
 #include "hdconj/units.hpp"
 #include "hdconj/wanted_curve.hpp"
 #include "judgement/checks.hpp"
@@ -40,7 +42,7 @@ class Search
         std::array<WantedCurve, 2> moved;
         clock_.run(Stage::neutral_curve, [&] {
             choose_major(flanks(0));
-            fill_errors(find(0));
+            fill_errors(find_given());
             parallel_for(moved.size(), out_.threads, 1,
                          [&](std::size_t i) { moved[i] = moved_by(i == 0 ? -out_.flank_error : out_.flank_error); });
         });
@@ -65,6 +67,24 @@ class Search
         fill_rows(pair, mesh);
         close(pair);
         return mesh;
+    }
+
+    /// Of the given flanks. Where none is found for the displacement that the program chose, how it did is told.
+    Mesh find_given()
+    try {
+        return find(0);
+    } catch (NumericalError const& failure) {
+        if (out_.major_error == 0 || out_.major_displacement != given_.root_limit)
+            throw;
+        throw NumericalError(
+            failure.code(), failure.stage(), failure.place(),
+            failure.cause() +
+                "; that displacement takes the flexspline's tips to the roots of the given circular "
+                "spline, as deep as teeth may stand without the key",
+            fmt::format("write wave_generator.major_displacement, more than {:.6g} where the points of the circular "
+                        "spline's tooth end before its root; or teeth that are conjugate to each other over a longer "
+                        "stretch",
+                        given_.root_limit));
     }
 
     /// A curve of its own for flanks that are moved outward by @p offset; without rows where they have none.
@@ -166,7 +186,7 @@ class Search
                 continue;
             double const u = (angle(i) + angle(i + 1)) / 2;
             ClosedCurve::Place const at = curve(u), near = coarse(u);
-            auto const gap = gap_at(pair, u, at), other = gap_at(pair, u, near);
+            auto const gap = gap_at(pair, rule_, u, at), other = gap_at(pair, rule_, u, near);
             if (gap)
                 out_.residual = std::max(out_.residual, std::abs(*gap));
             if (gap && other)
@@ -175,16 +195,6 @@ class Search
         }
         out_.residual_error += 64 * unit_roundoff * rule_.r_m;
         draw(curve);
-    }
-
-    [[nodiscard]] std::optional<double> gap_at(FlankPair const& pair, double u, ClosedCurve::Place const& at) const
-    {
-        ToothOrigin const origin = rule_.origin(u, at.state);
-        double const theta = rule_.theta(origin, at.slope);
-        std::vector<Tangency> const found = pair.tangencies(origin, theta);
-        if (found.empty())
-            return std::nullopt;
-        return (found.front().theta - theta) * found.front().lever;
     }
 
     void fill_curvature(ClosedCurve const& curve, ClosedCurve const& coarse)
