@@ -97,10 +97,24 @@ void report_missing(Validation& validation, TableSpec const& table, ParameterSpe
                                          is_there ? visit->second.origin : ""});
 }
 
+/// What to write for a missing key; of teeth, what the other ring's number of them asks for.
+std::string example_for(Validation const& validation, TableSpec const& table, KeySpec const& key)
+{
+    std::string const path = join(table.path, key.spec.key);
+    Scene const& scene = validation.reading.scene;
+    bool const inner = path == "drive.flexspline_teeth", outer = path == "drive.circular_spline_teeth";
+    std::string const other = inner ? "drive.circular_spline_teeth" : "drive.flexspline_teeth";
+    if (!(inner || outer) || !validation.reading.known.contains(other))
+        return with_example(key);
+    int const waves = scene.wave_generator.waves;
+    int const teeth = inner ? scene.drive.circular_spline_teeth - waves : scene.drive.flexspline_teeth + waves;
+    return std::string(key.spec.key) + " = " + std::to_string(teeth);
+}
+
 void report_missing_keys(Validation& validation, TableSpec const& table)
 {
     for (auto const& key : table.keys)
-        report_missing(validation, table, key.spec, "write " + with_example(key));
+        report_missing(validation, table, key.spec, "write " + example_for(validation, table, key));
     auto const families = validation.families_of(table.path);
     if (families.size() != 1)
         return;
@@ -161,6 +175,9 @@ void validate_missing(Validation& validation)
             store_defaults(validation, table);
     }
     report_given_tooth(validation);
+    Drive& drive = validation.reading.scene.drive;
+    if (!validation.reading.known.contains("drive.circular_spline_teeth"))  // for the checks of what depends on it
+        drive.circular_spline_teeth = drive.flexspline_teeth + validation.reading.scene.wave_generator.waves;
 }
 
 bool is_of_tooth_or_curve(Fault const& fault)

@@ -132,6 +132,30 @@ kinematics = "exactly"
     CHECK(lines == std::vector<int>{2, 3, 6, 9, 11, 16, 19, 21});
 }
 
+TEST_CASE("missing teeth of one ring follow from the other's, and nothing else is laid to them", "[scene]")
+{
+    std::string const rest = R"([flexspline]
+wall = 0.6
+[flexspline.profile]
+family = "s-tooth"
+addendum = 0.32
+dedendum = 0.42
+deflection = 0.9
+[wave_generator]
+family = "ellipse"
+radial_deformation = 0.38
+)";
+    for (auto const& [given, advice] :
+         {std::pair("flexspline_teeth = 120", "write circular_spline_teeth = 122"),
+          {"circular_spline_teeth = 122", "write flexspline_teeth = 120"},
+          {"flexspline_teeth = 120\ncircular_spline_teeth = -122", "write a whole number from 6 to 100000"}}) {
+        auto const faults = faults_of("[drive]\nmodule = 0.4\n" + std::string(given) + "\n" + rest);
+        INFO(given << '\n' << describe(faults));
+        REQUIRE(faults.size() == 1);
+        CHECK(contains(faults.front().remedy, advice));
+    }
+}
+
 TEST_CASE("geometry faults join the others when the geometry is known", "[scene]")
 {
     std::string text(builtin_scene_text());
