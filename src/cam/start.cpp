@@ -192,19 +192,26 @@ MeshBegin mesh_begin(FlankPair const& pair, CurveRule const& rule, int waves, do
         begin.slope = rule.slope(rule.origin(0, axis.state), begin.contact.theta);
         return {begin, 0, 0, {}};
     }
+    bool bent = false;
     for (double x = scan_step; x < reach; x += scan_step) {
         MeshPoint const guess = cosine_point(rule, waves, major, x);
         if (pair.tangencies(rule.origin(x, guess.state), guess.contact.theta).empty())
             continue;
-        if (auto const begin = Shooting(pair, rule, x, major, reach, tolerance)(guess);
-            begin && BendingLimit(rule, waves, major).keeps(begin->to_axis))
+        auto const begin = Shooting(pair, rule, x, major, reach, tolerance)(guess);
+        if (begin && BendingLimit(rule, waves, major).keeps(begin->to_axis))
             return *begin;
+        bent = bent || begin;
     }
     throw NumericalError(
         ErrorCode::no_contact, "neutral curve", fmt::format("0 to {:.3g} deg from the major axis", to_deg(reach)),
-        fmt::format("with a displacement of {:.6g} mm on the major axis, no curve is symmetric about it and lets the "
-                    "flanks touch: they stop touching before the mesh begins",
-                    major),
+        bent ? fmt::format(
+                   "with a displacement of {:.6g} mm on the major axis, each curve that is symmetric about it and "
+                   "lets the flanks touch would be hollow there, or bent more than {:g} times as a cosine of "
+                   "that displacement",
+                   major, most_bending)
+             : fmt::format("with a displacement of {:.6g} mm on the major axis, no curve is symmetric about it and "
+                           "lets the flanks touch: they stop touching before the mesh begins",
+                           major),
         "write another wave_generator.major_displacement, or teeth that reach deeper into each other");
 }
 
