@@ -15,7 +15,7 @@ pytest.importorskip("distributed")
 from hdconj.study import _drive  # noqa: E402
 from hdconj.study.__main__ import print_status  # noqa: E402
 from hdconj.study._expression import Expression  # noqa: E402
-from hdconj.study._pictures import draw_all  # noqa: E402
+from hdconj.study._pictures import draw_all, tooth_picture  # noqa: E402
 from hdconj.study._study import _ranks, dominated  # noqa: E402
 
 HEAD = """
@@ -279,6 +279,8 @@ def test_pareto_set(search, tmp_path):
     assert len(list((tmp_path / "pareto").glob("*.toml"))) == len(found.best(200))
     assert hdconj.Scene.load(tmp_path / "best.toml").check() == ()
     assert {"front.png", "parallel.png", "tooth.png"} <= {file.name for file in draw_all(found)}
+    tooth, space = (line.get_ydata() for line in tooth_picture(found).axes[0].lines[:2])
+    assert max(tooth) < max(space)  # the tip is below the root of the space
 
 
 def test_a_search_that_finds_nothing_leaves_no_best(search, tmp_path):

@@ -171,7 +171,7 @@ def tooth_picture(study: Study) -> Any:
             continue
         tooth, space = solution.flexspline.outline, solution.circular_spline.outline
         outline = space[len(space) // 2]
-        height = solution.figures["pitch_line"].value + solution.figures["r_m"].value + solution.figures["w0"].value
+        height = sum(solution.figures[name].value for name in ("pitch_line", "r_0", "w0"))
         pane.plot(tooth[:, 0], tooth[:, 1] + height, "--", color=colour, lw=1.2, label=f"{word}: flexspline")
         pane.plot(outline[:, 0], outline[:, 1], "-", color=colour, lw=1.2, label=f"{word}: circular spline")
     pane.set_aspect("equal")
