@@ -28,6 +28,17 @@ class Fault(NamedTuple):
     ``"other"``: it depends on other keys, on files or on the geometry."""
 
 
+def fault_text(faults: tuple[Fault, ...]) -> str:
+    """All faults in words, one a line."""
+    lines = []
+    for fault in faults:
+        value = f" = {fault.value}" if fault.value else ""
+        line = f"line {fault.line}: " if fault.line else ""
+        remedy = f" ({fault.remedy})" if fault.remedy else ""
+        lines.append(f"{line}{fault.path}{value}: {fault.reason}{remedy}")
+    return "\n".join(lines)
+
+
 class InputError(ValueError):
     """Bad input, with every fault that was found.
 

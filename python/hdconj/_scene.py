@@ -63,10 +63,11 @@ class Scene:
     :class:`InputError`. Keys, units and limits are those of docs/reference/scene.md.
     """
 
-    __slots__ = ("_core", "_source", "_overrides")
+    __slots__ = ("_core", "_source", "_overrides", "_is_unread")
     _core: _core.Scene
     _source: tuple[str, str, str]  # text, name, folder
     _overrides: tuple[str, ...]
+    _is_unread: bool  # its file could not be read
 
     def __init__(self) -> None:
         """The built-in scene: the type-50 drive of the thesis."""
@@ -77,6 +78,7 @@ class Scene:
         object.__setattr__(self, "_core", _core.Scene.parse(text, name, folder, [_bytes(each) for each in overrides]))
         object.__setattr__(self, "_source", source)
         object.__setattr__(self, "_overrides", overrides)
+        object.__setattr__(self, "_is_unread", False)
 
     @classmethod
     def _of(cls, source: tuple[str, str, str], overrides: tuple[str, ...] = ()) -> Scene:
@@ -96,6 +98,7 @@ class Scene:
         read = _core.Scene.load(os.fsencode(file))
         name = os.fsdecode(file)
         scene = cls._of((read.text, name, str(Path(name).parent)))
+        object.__setattr__(scene, "_is_unread", read.faults != scene._core.faults)
         object.__setattr__(scene, "_core", read)  # with the faults of the file itself
         return scene
 
@@ -133,6 +136,8 @@ class Scene:
         for key in changes:
             if not isinstance(key, str) or "=" in key:
                 raise TypeError(f'with_() takes paths of keys such as "flexspline.wall", not {key!r}')
+        if self._is_unread:
+            return self
         more = tuple(f"!{key}" if value is None else f"{key}={_toml_value(value)}" for key, value in changes.items())
         return self._of(self._source, self._overrides + more)
 

@@ -11,6 +11,7 @@ from typing import Any, Optional, Union
 
 from . import _core, _hdf5, _results
 from ._arguments import checked, interval, number, numbers, word, words
+from ._errors import Fault, InputError, fault_text
 from ._scene import Scene, SceneLike, scene_of
 
 Progress = Union[bool, Callable[[str, Optional[float]], None]]
@@ -180,8 +181,12 @@ def load(
         Torques in N mm, twists in rad, stresses in MPa.
     """
     asked = scene_of(scene)
+    if points is not None and not curve:
+        reason = "curve=False leaves no curve that could have points"
+        faults = (Fault("points", 0, str(points), reason, "leave one of them out"),)
+        raise InputError(faults, fault_text(faults))
     if measured is not None and not isinstance(measured, _results.Measurement):
-        measured = read_measured(measured, asked)
+        measured = _read_measured(measured, asked)
     seen = measured._kept() if measured is not None else None
     choices = (numbers("tilts_deg", tilts_deg), words("surfaces", surfaces), words("kinds", kinds))
     options = (torque, points, *choices, curve, errors, seen)
@@ -371,10 +376,13 @@ def read_measured(
     Measurement
         Torques in N mm, angles in rad, at the output.
     """
-    asked = scene_of(scene)
-    rig = (torque_constant, counts_per_turn, ratio, efficiency, output_member)
-    made = _core.read_measured(asked._core, os.fspath(file), *rig)
-    return _results.Measurement._computed(made, asked)
+    return _read_measured(file, scene_of(scene), (torque_constant, counts_per_turn, ratio, efficiency, output_member))
+
+
+def _read_measured(
+    file: str | os.PathLike[str], asked: Scene, rig: tuple[Any, ...] = (None, None, None, None, "cup")
+) -> _results.Measurement:
+    return _results.Measurement._computed(_core.read_measured(asked._core, os.fspath(file), *rig), asked)
 
 
 @checked

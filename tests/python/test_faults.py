@@ -97,6 +97,24 @@ def test_faults_of_a_measurement(tmp_path):
         hdconj.read_measured(SOURCE / "data/measured/torque-twist.csv", output_member="hub")
 
 
+def test_a_rig_is_told_where_it_is_named(tmp_path):
+    """Constants of the rig are arguments of read_measured() alone."""
+    (tmp_path / "loop.csv").write_text("current [A], angle [deg]\n1, 2\n")
+    for call, said in ((hdconj.read_measured, "such as torque_constant=0.119"),
+                       (lambda file: hdconj.load(measured=file), "read_measured(FILE, torque_constant=0.119)")):
+        with pytest.raises(hdconj.InputError) as refused:
+            call(tmp_path / "loop.csv")
+        assert said in str(refused.value) and "--" not in str(refused.value)
+
+
+def test_a_missing_file_stays_missing_whatever_is_changed(tmp_path):
+    missing = hdconj.Scene.load(tmp_path / "nowhere.toml")
+    assert missing.with_({"flexspline.wall": 0.6}).check() == missing.check()
+    (tmp_path / "empty.toml").touch()
+    changed = hdconj.Scene.load(tmp_path / "empty.toml").with_({"flexspline.wall": 0.6})
+    assert "drive" in [fault.path for fault in changed.check()]
+
+
 def test_missing_file():
     assert "nowhere.toml" in hdconj.Scene.load("nowhere.toml").check()[0].path
     with pytest.raises(hdconj.InputError, match="nowhere.toml"):
@@ -111,22 +129,33 @@ def test_wrong_words_are_faults():
 @pytest.mark.parametrize(
     ("option", "call"),
     [
-        ("--revolution", lambda page: hdconj.contact(revolution=-1)),
-        ("--revolution", lambda page: hdconj.contact(revolution=10**9)),
-        ("--revolution", lambda page: hdconj.report(None, page, parts="contact", revolution=-3)),
-        ("--tilt", lambda page: hdconj.report(None, page, tilts_deg=[0.2])),
-        ("--no-curve", lambda page: hdconj.report(None, page, parts="contact", curve=False)),
-        ("--points", lambda page: hdconj.load(torque=20, points=10**9)),
-        ("--torque", lambda page: hdconj.load(torque=0)),
-        ("--torque", lambda page: hdconj.load(torque=-5)),
-        ("--positions", lambda page: hdconj.run(positions=10**9)),
-        ("--sample", lambda page: hdconj.accuracy(sample=-1)),
-        ("--repeats", lambda page: hdconj.accuracy(repeats=-1)),
+        ("revolution", lambda page: hdconj.contact(revolution=-1)),
+        ("revolution", lambda page: hdconj.contact(revolution=10**9)),
+        ("revolution", lambda page: hdconj.report(None, page, parts="contact", revolution=-3)),
+        ("tilts_deg", lambda page: hdconj.report(None, page, tilts_deg=[0.2])),
+        ("curve", lambda page: hdconj.report(None, page, parts="contact", curve=False)),
+        ("points", lambda page: hdconj.load(torque=20, points=10**9)),
+        ("torque", lambda page: hdconj.load(torque=0)),
+        ("torque", lambda page: hdconj.load(torque=-5)),
+        ("positions", lambda page: hdconj.run(positions=10**9)),
+        ("sample", lambda page: hdconj.accuracy(sample=-1)),
+        ("repeats", lambda page: hdconj.accuracy(repeats=-1)),
+        ("tilts_deg", lambda page: hdconj.contact(tilts_deg=[math.nan])),
+        ("best_deg", lambda page: hdconj.contact(best_deg=(0.1, 0.1))),
+        ("best_deg", lambda page: hdconj.contact(best_deg=(0, 0.1), surfaces="ruled")),
+        ("kinds", lambda page: hdconj.contact(kinds="draft", surfaces="ruled")),
+        ("points", lambda page: hdconj.load(torque=20, points=4, curve=False)),
+        ("measured", lambda page: hdconj.load(torque=20, measured="nowhere.csv")),
+        ("file", lambda page: hdconj.read_measured("nowhere.csv")),
+        ("studies", lambda page: hdconj.accuracy(studies="foo")),
+        ("points", lambda page: hdconj.inspect(None, "nowhere.csv")),
+        ("diameter", lambda page: hdconj.design(100)),
+        ("length_ratio", lambda page: hdconj.design(100, diameter=50, length_ratio=3)),
         ("scenes", lambda page: hdconj.report([], page)),
         ("dialects", lambda page: hdconj.wedm(dialects="foo")),
         ("name", lambda page: hdconj.design(100, diameter=50, name="a\nb")),
-        ("--probe", lambda page: hdconj.inspect(None, TEETH, probe=math.nan)),
-        ("--plane", lambda page: hdconj.inspect(None, TEETH, plane=math.inf)),
+        ("probe", lambda page: hdconj.inspect(None, TEETH, probe=math.nan)),
+        ("plane", lambda page: hdconj.inspect(None, TEETH, plane=math.inf)),
         ("wave_generator.family", lambda page: hdconj.find_neutral_curve(hdconj.Scene())),
         ("wave_generator.family", lambda page: hdconj.solve(WANTED)),
         ("verb", lambda page: hdconj.Scene().plan("wedm")),
@@ -138,6 +167,8 @@ def test_limits_of_arguments(option, call, tmp_path):
         call(tmp_path / "page.html")
     assert [fault.path for fault in refused.value.faults] == [option]
     assert refused.value.faults[0].reason and refused.value.faults[0].remedy
+    assert refused.value.faults[0].remedy in str(refused.value)
+    assert "--" not in str(refused.value).replace("hdconj solve --completed", "")
     assert list(tmp_path.iterdir()) == []
 
 
@@ -175,7 +206,8 @@ def test_numbers_of_numpy_are_numbers(coned):
 
 
 def test_one_tilt_is_a_list_of_one(coned):
-    assert hdconj.contact(coned, tilts_deg=0.1, errors=False).contact.contact_area.size == 1
+    for one in (0.1, np.array(0.1)):
+        assert hdconj.contact(coned, tilts_deg=one, errors=False).contact.contact_area.size == 1
 
 
 def test_advice_of_a_tip_circle_can_be_followed():
