@@ -23,7 +23,8 @@ import hdconj
 
 study = pytest.importorskip("hdconj.study")
 pytest.importorskip("distributed")
-from hdconj.study import _drive, _store  # noqa: E402
+from hdconj.study import _drive, _engine, _store  # noqa: E402
+from hdconj.study.__main__ import main  # noqa: E402
 
 KILLS = 20 if os.environ.get("HDCONJ_FULL") else 1
 TEXT = """
@@ -207,6 +208,24 @@ def test_a_killed_scheduler_is_told_and_resumed(longer, scheduler, tmp_path, num
     assert process.returncode == 1 and "run again to resume" in said, said
     study.run(file, folder, scheduler=scheduler, progress=False)
     assert bits(folder) == longer
+
+
+def test_workers_that_do_not_start_are_told(monkeypatch, tmp_path, capsys):
+    import distributed
+
+    def fails(**options):
+        raise RuntimeError("Nanny failed to start.")
+
+    monkeypatch.setattr(distributed, "LocalCluster", fails)
+    assert main(["run", str(write(tmp_path, 5)), "-o", str(tmp_path / "study"), "--jobs", "1"]) == 1
+    told = "the processes of this machine did not start (Nanny failed to start.); run again to resume"
+    assert capsys.readouterr().err == f"hdconj study: {told}\n"
+
+
+def test_a_scheduler_without_the_package_is_told(monkeypatch, tmp_path):
+    monkeypatch.delenv("PYTHONPATH")
+    with cluster(1, tmp_path) as (address, _), pytest.raises(_engine.EngineLost, match=r"the same hdconj\[study\]"):
+        study.run(recipe(5), tmp_path / "study", scheduler=address, progress=False)
 
 
 @pytest.mark.parametrize("twice", [False, True])

@@ -28,6 +28,7 @@ WINDOW = 4  # shards a worker has in hand
 SHARD_SECONDS = 10.0  # of work in a shard; between 2 and 60
 LONGEST_SHARD = 2000  # drives
 WORKERS_SECONDS = 60.0  # without any worker
+NEEDED = "scheduler and workers need a Python with the same hdconj[study]"
 # Dask looks at itself a hundred times a second, for its dashboard: 6 % of a core.
 WATCHED_RARELY = {
     "distributed.worker.profile.enabled": False,
@@ -41,6 +42,13 @@ LOST = (OSError, RuntimeError, asyncio.CancelledError, concurrent.futures.Cancel
 
 class EngineLost(RuntimeError):
     """The scheduler or all workers went away; what is written stays."""
+
+
+def _lost(error: BaseException) -> EngineLost:
+    """What it means that Dask raises one of :data:`LOST`."""
+    if "deserialization" in str(error):
+        return EngineLost(f"the scheduler cannot read what is to be computed: {NEEDED}")
+    return EngineLost(f"the scheduler is gone ({type(error).__name__})")
 
 
 def work(recipe: Recipe, samples: Sequence[Sample], errors: bool, careful: bool) -> tuple[list[Row], Any, float]:
@@ -93,10 +101,13 @@ def engine(jobs: int = 0, scheduler: str | None = None) -> Iterator[Any]:
     }
     with dask.config.set(settings):
         with _deaf_to_interrupts():
-            cluster = distributed.LocalCluster(
-                n_workers=jobs or os.cpu_count() or 1, threads_per_worker=1, processes=True, memory_limit=0,
-                dashboard_address=":0", local_directory=_scratch(), silence_logs=60,
-            )  # fmt: skip
+            try:
+                cluster = distributed.LocalCluster(
+                    n_workers=jobs or os.cpu_count() or 1, threads_per_worker=1, processes=True, memory_limit=0,
+                    dashboard_address=":0", local_directory=_scratch(), silence_logs=60,
+                )  # fmt: skip
+            except LOST as error:
+                raise EngineLost(f"the processes of this machine did not start ({error})") from None
         client = distributed.Client(cluster)
         try:
             if find_spec("bokeh") and sys.stderr.isatty():
@@ -203,11 +214,11 @@ def _workers(client: Any) -> int:
         try:
             threads = sum(client.nthreads().values())
         except LOST as error:
-            raise EngineLost(f"the scheduler is gone ({type(error).__name__})") from None
+            raise _lost(error) from None
         if threads:
             return int(threads)
         if time.monotonic() > until:
-            raise EngineLost(f"no worker for {WORKERS_SECONDS:.0f} s")
+            raise EngineLost(f"no worker for {WORKERS_SECONDS:.0f} s: {NEEDED}")
         time.sleep(0.2)
 
 
@@ -225,7 +236,7 @@ def _finished(client: Any, running: dict[Any, Any]) -> list[Any]:
                 _workers(client)
                 looked = time.monotonic()
         except LOST as error:
-            raise EngineLost(f"the scheduler is gone ({type(error).__name__})") from None
+            raise _lost(error) from None
 
 
 def compute_rows(
@@ -276,7 +287,7 @@ def compute_rows(
                     send(part, True)
                     continue
                 except LOST as error:
-                    raise EngineLost(f"the scheduler is gone ({type(error).__name__})") from None
+                    raise _lost(error) from None
                 shards.learn(taken, len(part))
                 write_shard(folder, rows, schema, {"units": units, "seconds": taken, "errors": errors})
                 progress.add(rows)
