@@ -216,6 +216,10 @@ def test_a_figure_without_a_value_keeps_the_others():
     row = _drive.row_of(good, (0, good.first), False)[0]
     assert (row["code"], row["place"]) == ("figure", "bad") and "log(solve.land_width - 1)" in row["cause"]
     assert row["land"] > 0.1 and row["one"] == 1 and "bad" not in row
+    endless = study.read_recipe(GOOD.replace("solve.land_width", "solve.land_width * 1e308 * 1e10"))
+    row = _drive.row_of(endless, (0, endless.first), False)[0]
+    assert (row["code"], row["place"]) == ("figure", "land") and "is no finite number" in row["cause"]
+    assert "land" not in row
     value, error = Expression("sqrt(x)").with_error({"x": 0.01}, {"x": 0.02})
     assert value == pytest.approx(0.1) and error != error
 

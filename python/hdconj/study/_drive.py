@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import inspect
+import math
 import pickle
 import subprocess
 import sys
@@ -89,9 +90,12 @@ def compute(recipe: Recipe, values: Mapping[str, Value], errors: bool) -> tuple[
     row: Row = {**linked, **MADE}
     for name, expression in recipe.figures:
         try:
-            row[name], row[f"{name}_error"] = expression.with_error(known, estimates)
-        except NO_VALUE as error:
-            cause = f"{error.args[0]} has no number here" if isinstance(error, KeyError) else str(error)
+            value, error = expression.with_error(known, estimates)
+            if not math.isfinite(value):
+                raise ValueError("is no finite number")
+            row |= {name: value, f"{name}_error": error}
+        except NO_VALUE as why:
+            cause = f"{why.args[0]} has no number here" if isinstance(why, KeyError) else str(why)
             if not row["code"]:
                 row |= failure(NumericalError("figure", "figures", name, f"{expression.text}: {cause}"))
     found = {name: units.get(expression.text.strip(), "") for name, expression in recipe.figures}
