@@ -90,6 +90,13 @@ def test_a_grid_and_its_xarray(run, tmp_path):
     assert (tmp_path / "rows.csv").read_text().count("\n") == 13
 
 
+def test_a_grid_whose_list_has_a_value_twice(run, tmp_path):
+    keys = "[vary]\na = { list = [1, 2, 1] }\nb = { list = [3, 4] }\n"
+    found = run(f'{keys}[sample]\nmethod = "grid"\n[figures]\nc = "a * b"', tmp_path)
+    assert len(found.frame) == 6
+    assert found.to_xarray()["c"].values.tolist() == [[3, 4], [6, 8]]
+
+
 MIXED = """
 [vary]
 "flexspline.profile.concave_offset" = { list = [FIRST] }

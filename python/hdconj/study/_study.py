@@ -88,6 +88,7 @@ class Study:
         rows = self.frame
         if self.recipe.method == "grid" and self.about["kind"] == "run":
             keys = [key.path for key in self.recipe.keys]
+            rows = rows.drop_duplicates(keys)  # a list may have a value twice
             return rows.set_index(keys).drop(columns=[path for path, _ in self.recipe.links]).to_xarray()
         return rows.set_index("sample").to_xarray()
 
