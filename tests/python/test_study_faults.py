@@ -229,9 +229,9 @@ def test_a_figure_without_a_value_keeps_the_others():
     (["run", "STUDY", "-o", "."], "holds study.toml, which is of no study (name a folder that is empty"),
     (["optimise", "STUDY", "-o", "."], "holds study.toml, which is of no study"),
     (["run", "STUDY", "-o", "STUDY"], "is a file (name a folder"),
-    (["run", "STUDY", "-o", "out", "--jobs", "-1"], "jobs = -1: is no number of processes (write 0"),
-    (["run", "STUDY", "-o", "out", "--shard-seconds", "nan"], "shard-seconds = nan: is no time"),
-    (["best", "made", "-n", "-3"], "-3 is less than one (write a whole number from 1)"),
+    (["run", "STUDY", "-o", "out", "--jobs", "-1"], "--jobs = -1: is no number of processes (write 0"),
+    (["run", "STUDY", "-o", "out", "--shard-seconds", "nan"], "--shard-seconds = nan: is no time"),
+    (["best", "made", "-n", "-3"], "-n: -3 is less than one (write a whole number from 1)"),
     (["best", "made", "-n", "1", "--csv", "rows.csv", "--scene", "best.toml"], "nothing says what is better"),
 ])  # fmt: skip
 def test_a_refused_command_writes_nothing(tmp_path, monkeypatch, capsys, words, said):
@@ -266,6 +266,25 @@ def test_a_folder_whose_study_json_is_none_is_refused(tmp_path, capsys, about):
     for words in (["status", str(tmp_path)], ["run", str(tmp_path / "study.toml"), "-o", str(tmp_path)]):
         assert main(words) == 2
         assert "is no folder of a study" in capsys.readouterr().err
+
+
+def test_a_folder_that_cannot_be_read_says_why(tmp_path):
+    (tmp_path / "study.json").symlink_to("study.json")  # for ever: root may read all else
+    with pytest.raises(hdconj.InputError, match="cannot be read: Too many levels of symbolic links"):
+        study.open(tmp_path)
+
+
+def test_arguments_of_python_are_told_by_their_names(tmp_path):
+    good = study.read_recipe(GOOD + '[objectives]\nland = "max"\n')
+    with pytest.raises(hdconj.InputError, match="^jobs = -1: .*\n?shard_seconds = 1.0: is no time"):
+        study.run(good, tmp_path / "made", jobs=-1, shard_seconds=1)
+    for call in (study.run, study.optimise):
+        with pytest.raises(TypeError, match="jobs takes a whole number"):
+            call(good, tmp_path / "made", jobs="2")
+    with _store.Folder(tmp_path / "made").locked():
+        _store.Folder(tmp_path / "made").begin(good, "run")
+    with pytest.raises(hdconj.InputError, match="count: 0 is less than one"):
+        study.open(tmp_path / "made").best(0)
 
 
 STUDIES = sorted(Path(os.environ["HDCONJ_SOURCE"], "data/studies").glob("*.toml"))

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+OPTIONS = {"jobs": "--jobs", "shard_seconds": "--shard-seconds", "count": "-n"}  # of arguments of the functions
 PACKAGES = "pip install 'hdconj[study]'"
 
 
@@ -26,7 +27,7 @@ def _parser() -> argparse.ArgumentParser:
         verb.add_argument("what", metavar=what)
         return verb
 
-    add("check", "checks a study and computes its first drive", "STUDY.toml")
+    add("check", "checks a study and computes the drive in the middle of all that varies", "STUDY.toml")
     for name, about in (("run", "computes the drives of a study"), ("optimise", "searches for the best drives")):
         verb = add(name, about, "STUDY.toml")
         verb.add_argument(
@@ -179,7 +180,7 @@ def main(words: Sequence[str] | None = None) -> int:
 def _status(options: argparse.Namespace) -> int:
     """The exit status of a command, which says on stderr what went wrong."""
     try:
-        from .._errors import FileError, InputError
+        from .._errors import FileError, InputError, fault_text
         from ._engine import EngineLost
     except ImportError as error:
         print(f"hdconj study: the package {error.name} is missing; {PACKAGES}", file=sys.stderr)
@@ -191,7 +192,11 @@ def _status(options: argparse.Namespace) -> int:
         return 1
     except InputError as error:
         count = len(error.faults)
-        print(f"hdconj study: {count} fault{'s' if count > 1 else ''} in {options.what}\n{error}", file=sys.stderr)
+        told = tuple(
+            fault if fault.line else fault._replace(path=OPTIONS.get(fault.path, fault.path)) for fault in error.faults
+        )
+        said = str(error) if told == error.faults else fault_text(told)
+        print(f"hdconj study: {count} fault{'s' if count > 1 else ''} in {options.what}\n{said}", file=sys.stderr)
         return 2
     except (EngineLost, FileError, OSError) as error:
         print(f"hdconj study: {_failed(error, options)}", file=sys.stderr)

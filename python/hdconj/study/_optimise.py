@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from .._arguments import checked
 from .._errors import Fault
 from ._drive import Sample
 from ._engine import SHARD_SECONDS, Told, compute_rows, engine
@@ -79,6 +80,7 @@ def violation(study: Study, rows: Any) -> Any:
     return np.where(np.asarray(rows["code"] == "", dtype=bool) & np.isfinite(found), found, WORST)
 
 
+@checked
 def optimise(
     study: str | os.PathLike[str] | Recipe, folder: str | os.PathLike[str], *, jobs: int = 0,
     scheduler: str | None = None, shard_seconds: float = SHARD_SECONDS, progress: bool = True,

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from .._arguments import checked
 from .._errors import Fault
 from ._drive import Row, Sample, careful_rows, estimates_errors, figures_of
 from ._engine import SHARD_SECONDS, Told, compute_rows, engine
@@ -91,6 +92,7 @@ def check(study: str | os.PathLike[str] | Recipe) -> Recipe:
     return recipe
 
 
+@checked
 def run(
     study: str | os.PathLike[str] | Recipe, folder: str | os.PathLike[str], *, jobs: int = 0,
     scheduler: str | None = None, shard_seconds: float = SHARD_SECONDS, progress: bool = True,
@@ -149,7 +151,7 @@ def refuse_machine(jobs: int, shard_seconds: float) -> None:
         faults.append(Fault("jobs", 0, str(jobs), "is no number of processes", remedy))
     if not 2 <= shard_seconds <= 60:
         reason = "is no time of a shard"
-        faults.append(Fault("shard-seconds", 0, str(shard_seconds), reason, "write a number from 2 to 60"))
+        faults.append(Fault("shard_seconds", 0, str(shard_seconds), reason, "write a number from 2 to 60"))
     refuse(faults)
 
 

@@ -23,12 +23,11 @@ import pyarrow.parquet as pq
 import hdconj
 
 from .. import _files
-from .._errors import FileError, Fault, InputError
+from .._errors import FileError, Fault, InputError, fault_text
 from .._scene import Scene
 from ._data_files import FOLDER, copies, renamed, scene_text
 from ._drive import Row
 from ._keys import as_text
-from ._read import fault_text
 from ._recipe import Recipe
 
 FORMAT = 1
@@ -145,8 +144,10 @@ class Folder:
         """What study.json says; a fault where there is no study."""
         try:
             found = json.loads((self.place / "study.json").read_text())
-        except (OSError, ValueError):
+        except (FileNotFoundError, NotADirectoryError, ValueError):
             found = None
+        except OSError as error:
+            raise refuse(self.place, f"cannot be read: {error.strerror}", "name a folder that you may read") from None
         words = ("kind", "identity", "program")
         if not isinstance(found, dict) or not all(isinstance(found.get(word), str) for word in words):
             raise refuse(self.place, "is no folder of a study", "name what -o of hdconj study run named")

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from .._arguments import checked
 from .._scene import Scene
 from ._keys import Value
 from ._read import load_recipe
@@ -111,6 +112,7 @@ class Study:
         errors = np.column_stack([np.asarray(frame[f"{name}_error"], dtype=float) for name in aims])
         return values, errors
 
+    @checked
     def best(self, count: int = 10, *, again: bool = True) -> Any:
         """The best drives as a ``pandas.DataFrame``, best first; each once, however often it was computed.
 
@@ -125,7 +127,7 @@ class Study:
             Take the figures of survivors from their second computation, with errors.
         """
         if count < 1:
-            raise refuse("number of drives (-n)", f"{count} is less than one", "write a whole number from 1")
+            raise refuse("count", f"{count} is less than one", "write a whole number from 1")
         if not self.recipe.objectives:
             raise refuse(self.folder.place, "nothing says what is better", "write [objectives] into its study.toml")
         rows = self._survivors() if again and self.recipe.survivors else self.frame
