@@ -18,18 +18,18 @@ from ._errors import Fault
 Value = Union[bool, int, float, str, np.generic, Sequence[Any], "np.ndarray[Any, Any]", Mapping[str, Any], None]
 
 
-def _toml_value(value: Value) -> str:
+def toml_value(value: Value) -> str:
     """A value as TOML writes it."""
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, str):
         return json.dumps(value)
     if isinstance(value, Mapping):
-        return "{" + ", ".join(f"{json.dumps(str(key))} = {_toml_value(item)}" for key, item in value.items()) + "}"
+        return "{" + ", ".join(f"{json.dumps(str(key))} = {toml_value(item)}" for key, item in value.items()) + "}"
     if isinstance(value, (np.generic, np.ndarray)):
-        return _toml_value(value.tolist())
+        return toml_value(value.tolist())
     if isinstance(value, Sequence):
-        return "[" + ", ".join(_toml_value(item) for item in value) + "]"
+        return "[" + ", ".join(toml_value(item) for item in value) + "]"
     return repr(value)
 
 
@@ -40,7 +40,7 @@ def toml_text(tables: Mapping[str, Any], path: tuple[str, ...] = ()) -> str:
             raise TypeError(f"the key {key!r} of a scene is no text: write the name of a table or of a key")
     own = {key: item for key, item in tables.items() if not isinstance(item, Mapping)}
     text = f"[{'.'.join(path)}]\n" if path and (own or not tables) else ""
-    text += "".join(f"{key} = {_toml_value(item)}\n" for key, item in own.items() if item is not None)
+    text += "".join(f"{key} = {toml_value(item)}\n" for key, item in own.items() if item is not None)
     for key, item in tables.items():
         if isinstance(item, Mapping):
             text += toml_text(item, (*path, key))
@@ -138,7 +138,7 @@ class Scene:
                 raise TypeError(f'with_() takes paths of keys such as "flexspline.wall", not {key!r}')
         if self._is_unread:
             return self
-        more = tuple(f"!{key}" if value is None else f"{key}={_toml_value(value)}" for key, value in changes.items())
+        more = tuple(f"!{key}" if value is None else f"{key}={toml_value(value)}" for key, value in changes.items())
         return self._of(self._source, self._overrides + more)
 
     def check(self) -> tuple[Fault, ...]:

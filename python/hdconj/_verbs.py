@@ -162,7 +162,7 @@ def load(
     torque : float, optional
         Largest torque on the circular spline in N m, above 0; None: the scene's.
     points : int, optional
-        Even torques from 0 to the largest, at most 1000; None: as many as the stiffness needs.
+        Even torques from 0 to the largest, at most 1000; None: as many as the stiffness needs. Of a curve only.
     tilts_deg, surfaces, kinds
         As for :func:`contact`.
     curve : bool

@@ -67,8 +67,8 @@ BAD = [
     (FLANK, '"flexspline.wall" = { normal = [0.7, 0] }', "the standard deviation 0.0 is not above 0"),
     (FLANK, '"flexspline.wall" = { normal = [0.7, 0.1], limits = [0.8, 0.6] }', "the limits [0.8, 0.6] are empty"),
     (FLANK, '"flexspline.wall" = { uniform = [0.8, 0.6] }', "the interval [0.8, 0.6] is empty"),
-    (FLANK, '"flexspline.wall" = { nominal = 0.7 }', "tolerance = None is no class"),
-    (FLANK, '"flexspline.wall" = { nominal = 0.7, tolerance = "g6" }', "tolerance = 'g6' is no class that is known"),
+    (FLANK, '"flexspline.wall" = { nominal = 0.7 }', "no tolerance (write h, H or js and a grade from 5 to 11"),
+    (FLANK, '"flexspline.wall" = { nominal = 0.7, tolerance = "g6" }', "tolerance = g6 is no class that is known here"),
     (FLANK, '"flexspline.wall" = { nominal = 900, tolerance = "h6" }', "nominal = 900 is no size"),
     (FLANK, FLANK + '\n"tilt.angle_deg" = "2 * flexspline.wal"', "unknown name flexspline.wal (write flexspline.wall)"),
     (FLANK, FLANK + '\n"tilt.angle_deg" = "2 *"', "no expression: invalid syntax"),
@@ -80,6 +80,21 @@ BAD = [
     (FLANK, FLANK + '\na = "1 / 0"', "vary.a = 1 / 0: has no value: division by zero"),
     (FLANK, FLANK + '\n"drive.name" = "wave_generator.family"', "wave_generator.family is no number (links compute"),
     (FLANK, FLANK + '\nw = { list = ["a", "b"] }\na = "2 * w"', "vary.a = 2 * w: w is no number"),
+    (FLANK, FLANK + "\nx = { from = 0, to = HUGE }", "from and to are not two numbers"),
+    (FLANK, FLANK + "\nx = { from = 0, to = 1, step = HUGE }", "0... divides no range"),
+    (FLANK, FLANK + "\nx = { list = [HUGE] }", "no list of values"),
+    (FLANK, FLANK + '\nx = "HUGE"', "0...: a number that is not finite"),
+    (FLANK, FLANK + f'\nx = "{990 * "-"}1"', "more than 100 operations in each other"),
+    (FLANK, FLANK + f'\nx = "{240 * "not "}1"', "more than 100 operations in each other"),
+    (FLANK, '"flexspline.wall=3" = { from = 0, to = 1 }', 'vary."flexspline.wall=3": is no path of a key'),
+    (FLANK, '"flexspline.wall\\n" = { from = 0, to = 1 }', 'vary."flexspline.wall\\n": is no path of a key'),
+    (FLANK, '"." = { from = 0, to = 1 }', 'vary.".": is no path of a key (write words with dots between them'),
+    ("[sample]", '[set]\n"drive.name=x" = 3\n[sample]', 'set."drive.name=x": is no path of a key'),
+    (FLANK, '"flexspline.wall" = { from = 0.6, to = 0.8, count = 1000000000 }', "a whole number from 2 to 10000000"),
+    (FLANK, '"flexspline.wall" = { from = 0.6, to = 0.8, step = 1e-9 }', "points (write a number from 2.2e-08)"),
+    ("count = 8", "count = 1000000000", "is more than 10000000 (write a whole number from 1 to 10000000)"),
+    ('"sobol"\ncount = 8', '"saltelli"\ncount = 8388608', "makes 25165824 drives, more than 10000000 (write at most 2"),
+    ("[figures]", "[optimise]\npopulation = 1000000\n[figures]", "generations = 25: is more than 10 (write a whole"),
     ("count = 8", "count = 0", "must be a whole number (write a whole number from 1"),
     ("count = 8", "count = 8.0", "sample.count = 8.0: must be a whole number"),
     ("count = 8", "count = 8\nseed = -1", "sample.seed = -1: must be a whole number"),
@@ -88,7 +103,7 @@ BAD = [
     ('"sobol"', '"grid"', "a grid counts itself"),
     ('method = "sobol"\ncount = 8', 'method = "grid"', "has no points of a grid (add count = N"),
     ('"sobol"\ncount = 8', '"saltelli"\ncount = 9', "must be a power of 2"),
-    ('"solve"', '"solves"', "compute.verb = ['solves']: unknown verb (write one of solve, contact, load"),
+    ('"solve"', '"solves"', "compute.verb = solves: unknown verb (write one of solve, contact, load"),
     ('verb = "solve"', 'verb = "solve"\nerrors = 1', "compute.errors = 1: must be true or false"),
     ('verb = "solve"', 'verb = "solve"\nload = { torque = 3 }', "options of a verb that is not computed"),
     ('verb = "solve"', 'verb = "solve"\nsolve = { torque = 3 }', "compute.solve.torque = 3: unknown option"),
@@ -97,7 +112,7 @@ BAD = [
         ('verb = "solve"', f'verb = "{verb}"\n{verb} = {{ {option} }}', said)
         for verb, option, said in (
             ("contact", 'revolution = "x"', "contact.revolution = x: is of another type (write a whole number)"),
-            ("contact", 'tilts_deg = ["a"]', "contact.tilts_deg = ['a']: is of another type (write "),
+            ("contact", 'tilts_deg = ["a"]', 'contact.tilts_deg = ["a"]: is of another type (write '),
             ("contact", 'best_deg = [0, "a"]', "is of another type (write [a number, a number])"),
             ("contact", 'surfaces = "foo"', "contact.surfaces = foo: is no word"),
             ("load", "curve = 1", "load.curve = 1: is of another type (write true or false)"),
@@ -107,6 +122,18 @@ BAD = [
         )
     ),
     ('verb = "solve"', 'verb = "contact"\ncontact = { tilts_deg = [0, 1] }', "a drive has one case"),
+    ('verb = "solve"', 'verb = "contact"', '(write verb = ["contact", "solve"] under [compute])'),
+    (
+        'verb = "solve"',
+        'verb = "contact"\ncontact = { best_deg = [0.1, 0.1] }',
+        "(write best_deg=[FROM, TO] with FROM below TO)",
+    ),
+    (
+        'verb = "solve"',
+        'verb = "load"\nload = { points = 4, curve = false }',
+        "compute.load.points = 4: curve=False leaves no curve",
+    ),
+    ('verb = "solve"', 'verb = "load"\nload = { measured = 3 }', "is of another type (write a text in quotes)"),
     ('verb = "solve"', 'verb = "solve"\nsurvivors = 3', "nothing says which drives survive"),
     ("[figures]", "[figures]\n1st = 'solve.land_width'", "is no name of a figure"),
     ("[figures]", "[figures]\nland_error = 'solve.land_width'", "not _error at its end"),
@@ -137,7 +164,7 @@ BAD = [
 def test_refused(old, new, said):
     assert old in GOOD
     with pytest.raises(hdconj.InputError) as refused:
-        study.read_recipe(GOOD.replace(old, new))
+        study.read_recipe(GOOD.replace(old, new.replace("HUGE", "1" + 400 * "0")))
     assert said in str(refused.value)
 
 
@@ -153,6 +180,56 @@ def test_all_faults_at_once_with_their_lines():
     assert [(fault.path, fault.line) for fault in refused.value.faults] == [
         ("vary.flexspline.wall", 3), ("sample.method", 5), ("sample.count", 6),
     ]  # fmt: skip
+
+
+EVERYWHERE = """scene = "nothere.toml"
+[set]
+"flexspline.wal" = 1
+[vary]
+"tilt.angel_deg" = { from = 0, to = 1 }
+y = "2 * flexspline.thick"
+[sample]
+method = "sobel"
+[compute]
+verb = "load"
+load = { surfaces = "foo", points = 0, measured = "nothere.csv" }
+[figures]
+land = "solve.land_width"
+[constraints]
+land = { min = 3, max = 2 }
+[objectives]
+land = "much"
+[optimise]
+method = "best"
+"""
+
+
+def test_no_fault_hides_another_one():
+    """Each in its line, which is that of its table: land stands in three of them, method in two."""
+    with pytest.raises(hdconj.InputError) as refused:
+        study.read_recipe(EVERYWHERE.partition("\n")[2])
+    assert [(fault.path, fault.line) for fault in refused.value.faults] == [
+        ("scene flexspline.wal", 2), ("vary.tilt.angel_deg", 4), ("vary.y", 5), ("sample.method", 7),
+        ("compute.load.measured", 10), ("compute.load.points", 10), ("compute.load.surfaces", 10),
+        ("figures.land", 12), ("constraints.land", 14), ("objectives.land", 16), ("optimise.method", 18),
+    ]  # fmt: skip
+    said = str(refused.value)
+    assert "constraints.land = { min = 3, max = 2 }: min" in said
+    assert "unknown name flexspline.thick (write flexspline.wall)" in said
+    with pytest.raises(hdconj.InputError, match="scene nothere.toml: there is no such file"):
+        study.read_recipe(EVERYWHERE)
+
+
+def test_a_grid_has_a_largest_size():
+    """Its size is counted however large it is."""
+    keys = "\n".join(f"k{i} = {{ from = 0, to = 1, count = 1000 }}" for i in range(9))
+    with pytest.raises(hdconj.InputError, match=f"the grid has {10**27} drives, more than 10000000"):
+        study.read_recipe(GOOD.replace(FLANK, keys).replace('"sobol"\ncount = 8', '"grid"'))
+
+
+def test_large_numbers_are_numbers():
+    good = study.read_recipe(GOOD.replace(FLANK, FLANK + "\nx = { from = 0, to = 100000000000000000000 }"))
+    assert good.first["x"] == 5e19
 
 
 @pytest.mark.parametrize(

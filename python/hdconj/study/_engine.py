@@ -183,7 +183,7 @@ class _Shards:
     """Cuts what is left into shards of a few seconds each."""
 
     def __init__(self, samples: Sequence[Sample], seconds: float, target: float) -> None:
-        self.samples, self.at = list(samples), 0
+        self.samples, self.at = samples, 0
         self.seconds, self.target, self.is_guess = max(seconds, 1e-4), target, True
 
     def __bool__(self) -> bool:
@@ -200,10 +200,13 @@ class _Shards:
         left = len(self.samples) - self.at
         fair = max(left // (2 * workers), min(left, int(2 / self.seconds)), 1)
         size = min(max(int(self.target / self.seconds), 1), fair, LONGEST_SHARD)
-        end = self.at + 1
-        while end < self.at + size and end < len(self.samples) and self.samples[end][0] == self.samples[end - 1][0] + 1:
-            end += 1
-        part, self.at = self.samples[self.at : end], end
+        part = [self.samples[self.at]]
+        while len(part) < size and self.at + len(part) < len(self.samples):
+            following = self.samples[self.at + len(part)]
+            if following[0] != part[-1][0] + 1:
+                break
+            part.append(following)
+        self.at += len(part)
         return part
 
 

@@ -6,10 +6,12 @@ from __future__ import annotations
 import ast
 import math
 import operator
+import sys
 from collections.abc import Callable, Mapping
 from typing import Any
 
 LONGEST = 1000  # characters
+DEEPEST = 100  # operations in each other's operands
 _BINARY: dict[type, Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
@@ -53,6 +55,8 @@ class Expression:
             tree = ast.parse(text.strip(), mode="eval").body
         except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
             raise ValueError(f"no expression: {getattr(error, 'msg', error)}") from None
+        if _is_deep(tree):
+            raise ValueError(f"more than {DEEPEST} operations in each other")
         names: dict[str, None] = {}
         _check(tree, names)
         self.text, self.names, self._tree = text, tuple(names), tree
@@ -98,6 +102,14 @@ def _name(node: ast.AST) -> str | None:
     return None
 
 
+def _is_deep(tree: ast.AST) -> bool:
+    """Whether a tree is too deep for functions that call themselves."""
+    level = [tree]
+    for _ in range(DEEPEST):
+        level = [inner for node in level for inner in ast.iter_child_nodes(node) if isinstance(inner, ast.expr)]
+    return bool(level)
+
+
 def _check(node: ast.AST, names: dict[str, None]) -> None:
     """Refuses all but arithmetic, and collects the names."""
     name = _name(node)
@@ -105,7 +117,7 @@ def _check(node: ast.AST, names: dict[str, None]) -> None:
         if name not in _CONSTANTS:
             names[name] = None
     elif isinstance(node, ast.Constant) and isinstance(node.value, (int, float)) and not isinstance(node.value, bool):
-        if not math.isfinite(node.value):
+        if not abs(node.value) <= sys.float_info.max:
             raise ValueError("a number that is not finite")
     elif isinstance(node, ast.BinOp) and type(node.op) in _BINARY:
         _check(node.left, names)

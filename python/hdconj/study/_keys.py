@@ -5,14 +5,18 @@ from __future__ import annotations
 
 import json
 import re
+import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, Union
 
 import numpy as np
 
+from ._faults import written
+
 Value = Union[bool, int, float, str]
 LAWS = ("from", "list", "normal", "uniform", "nominal")
+MOST = 10**7  # drives of a study, and values of a law: their numbers fit into the memory of one machine
 _ALLOWED = {
     "from": {"from", "to", "count", "step"},
     "list": {"list"},
@@ -36,7 +40,7 @@ _TINY = 2.0**-53  # a number from 0 to 1 keeps this far from both
 
 def is_number(value: object) -> bool:
     """Whether a value of TOML is a finite number."""
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and bool(np.isfinite(value))
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) <= sys.float_info.max
 
 
 def as_text(value: Value) -> str:
@@ -79,12 +83,14 @@ class Key:
 
     @property
     def middle(self) -> Value:
-        """The value of the first drive: the middle, the mean, or the first of a list."""
+        """The value in the drive in the middle: the middle, the mean, or the first of a list."""
         return self.values[0] if self.law == "list" else self.value(0.5)
 
     @property
     def is_text(self) -> bool:
         """Whether its column holds text: its list has words, if only among numbers."""
+        if self.law != "list":
+            return False
         kinds = {float if type(value) is int else type(value) for value in self.values}
         return str in kinds or len(kinds) > 1
 
@@ -106,7 +112,7 @@ class Key:
 def _pair(spec: Mapping[str, Any], name: str, told: Callable[[str, str], None]) -> tuple[float, float] | None:
     pair = spec[name]
     if not isinstance(pair, list) or len(pair) != 2 or not all(map(is_number, pair)):
-        told(f"{name} = {pair!r} is not two numbers", f"write {name} = [A, B]")
+        told(f"{name} = {written(pair)} is not two numbers", f"write {name} = [A, B]")
         return None
     return float(pair[0]), float(pair[1])
 
@@ -122,8 +128,12 @@ def _range(path: str, spec: Mapping[str, Any], told: Callable[[str, str], None])
         return None
     step, count = spec.get("step"), spec.get("count")
     if step is not None:
-        if not is_number(step) or step <= 0 or (high - low) / step > 1e6:
-            told(f"step = {step!r} divides no range", "write a number above 0")
+        if not is_number(step) or step <= 0:
+            told(f"step = {written(step)} divides no range", "write a number above 0")
+            return None
+        if not float(high) / step - float(low) / step < MOST:
+            least = f"{1.1 * (float(high) / MOST - float(low) / MOST):.2g}"
+            told(f"step = {written(step)} makes more than {MOST} points", f"write a number from {least}")
             return None
         if count is not None:
             told("both step and count", "remove one of them")
@@ -131,22 +141,23 @@ def _range(path: str, spec: Mapping[str, Any], told: Callable[[str, str], None])
         return Key(path, "from", (float(low), float(high), float(step)), points)
     if count is None:
         return Key(path, "from", (float(low), float(high)))
-    if not isinstance(count, int) or isinstance(count, bool) or count < 2:
-        told(f"count = {count!r} makes no grid", "write a whole number from 2")
+    if not isinstance(count, int) or isinstance(count, bool) or not 2 <= count <= MOST:
+        told(f"count = {written(count)} makes no grid", f"write a whole number from 2 to {MOST}")
         return None
-    return Key(path, "from", (float(low), float(high)), tuple(map(float, np.linspace(low, high, count))))
+    ends = float(low), float(high)
+    return Key(path, "from", ends, tuple(np.linspace(*ends, count).tolist()))
 
 
 def _tolerance(path: str, spec: Mapping[str, Any], told: Callable[[str, str], None]) -> Key | None:
-    nominal, written = spec["nominal"], spec.get("tolerance")
+    nominal, tolerance = spec["nominal"], spec.get("tolerance")
     if not is_number(nominal) or not 0 < nominal <= _SIZES[-1]:
-        told(f"nominal = {nominal!r} is no size", f"write a length in mm above 0 and at most {_SIZES[-1]}")
+        told(f"nominal = {written(nominal)} is no size", f"write a length in mm above 0 and at most {_SIZES[-1]}")
         return None
-    match = re.fullmatch(r"(h|H|js|JS)(\d+)", written) if isinstance(written, str) else None
+    match = re.fullmatch(r"(h|H|js|JS)(\d+)", tolerance) if isinstance(tolerance, str) else None
     if match is None or int(match[2]) not in _GRADES:
         told(
-            f"tolerance = {written!r} is no class that is known here",
-            f"write h, H or js and a grade from {min(_GRADES)} to {max(_GRADES)}, such as js7",
+            "no tolerance" if tolerance is None else f"tolerance = {written(tolerance)} is no class that is known here",
+            f'write h, H or js and a grade from {min(_GRADES)} to {max(_GRADES)}, such as tolerance = "js7"',
         )
         return None
     width = _GRADES[int(match[2])][next(i for i, size in enumerate(_SIZES) if nominal <= size)] / 1000
@@ -175,7 +186,7 @@ def read_key(path: str, spec: Mapping[str, Any], told: Callable[[str, str], None
         if (
             not isinstance(values, list)
             or not values
-            or not all(isinstance(v, (bool, int, float, str)) for v in values)
+            or not all(isinstance(v, (bool, str)) or is_number(v) for v in values)
         ):
             told("no list of values", "write list = [A, B, C] of numbers or words")
             return None

@@ -15,7 +15,8 @@ from .._arguments import checked
 from .._errors import Fault
 from ._drive import Sample
 from ._engine import SHARD_SECONDS, Told, compute_rows, engine
-from ._read import load_recipe, refuse
+from ._faults import refuse
+from ._read import load_recipe
 from ._recipe import Recipe
 from ._run import compute_survivors, prepare, refuse_machine
 from ._store import Folder, write_whole

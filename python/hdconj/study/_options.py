@@ -59,13 +59,20 @@ def in_words(kind: Any) -> str:
 def judged(verb: str, options: Mapping[str, Any], scene: Scene) -> Iterator[Fault]:
     """What the verb itself finds wrong with its options, before it computes anything.
 
-    A measured curve is left to the first drive: a study is read also where that file is not.
+    Options that it refuses are left out then, as their faults may hide others. A measured curve is left to the first
+    drive: a study is read also where that file is not.
     """
     known = known_options(verb)
     asked = {name: value for name, value in options.items() if name != "measured" and fits(value, known.get(name))}
-    try:
-        getattr(hdconj, verb)(scene, **asked, progress=_begins)
-    except (_Asked, NumericalError):
-        return
-    except InputError as error:
-        yield from (fault for fault in error.faults if fault.path in options or fault.path.startswith("--"))
+    while True:
+        try:
+            getattr(hdconj, verb)(scene, **asked, progress=_begins)
+        except (_Asked, NumericalError):
+            return
+        except InputError as error:
+            faults = [fault for fault in error.faults if fault.path in known]
+            yield from faults
+            kept = {name: value for name, value in asked.items() if name not in {fault.path for fault in faults}}
+            if kept == asked:
+                return
+            asked = kept

@@ -3,27 +3,31 @@
 
 from __future__ import annotations
 
-import difflib
+import json
 import os
 import re
 import tomllib
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 from typing import Any
 
-from .._errors import Fault, InputError, NumericalError
+from .._errors import Fault, InputError, NumericalError, fault_text
 from .._scene import Scene, toml_text
 from ._data_files import contents
 from ._expression import NO_VALUE, Expression
-from ._keys import LAWS, Key, Value, is_number, read_key
+from ._faults import fault_at, lines_of, near, refuse, written
+from ._keys import LAWS, MOST, Key, Value, is_number, read_key
 from ._options import fits, in_words, judged, known_options
 from ._recipe import VERBS, Recipe, flat
-from ._sample import METHODS
+from ._sample import METHODS, sample_count
 
 TABLES = ("scene", "set", "vary", "sample", "compute", "figures", "constraints", "objectives", "optimise")
 OPTIMISERS = ("nsga2", "cmaes", "random")
+LARGEST_SEED = 10**9
 _TAKEN = ("sample", "code", "stage", "place", "cause", "rank")
+_PATH = re.compile(r"[\w-]+(\.[\w-]+)*")
 
 
 def _specs(tables: Mapping[str, Any], before: str = "") -> Iterator[tuple[str, Any]]:
@@ -39,25 +43,18 @@ def _specs(tables: Mapping[str, Any], before: str = "") -> Iterator[tuple[str, A
             yield f"{before}{name}", item
 
 
-def near(word: str, known: Any) -> str:
-    close = difflib.get_close_matches(word, list(known), 1, 0.5)
-    return f"write {close[0]}" if close else f"known: {', '.join(map(str, known))}"
-
-
 class _Reader:
     """Reads the tables of a study one after the other, and collects faults."""
 
     def __init__(self, text: str, name: str, folder: Path) -> None:
         self.text, self.name, self.folder = text, name, folder
+        self.lines = lines_of(text)
         self.faults: list[Fault] = []
         self.tables: dict[str, Any] = {}
 
     def told(self, path: str, reason: str, remedy: str, value: object = "") -> None:
-        """Notes a fault; its line is the first that writes the key."""
-        last = re.escape(path.split(".", 1)[-1]) if "." in path else re.escape(path)
-        found = re.search(rf'^[ \t]*\[?"?(?:{re.escape(path)}|{last})"?[ \t]*(?:=|\])', self.text, re.M)
-        line = self.text.count("\n", 0, found.start()) + 1 if found else 0
-        self.faults.append(Fault(path, line, "" if value == "" else str(value), reason, remedy))
+        """Notes a fault of a key or of a table."""
+        self.faults.append(fault_at(self.lines, path, reason, remedy, value))
 
     def table(self, name: str, known: tuple[str, ...] | None = None) -> dict[str, Any]:
         """A table of the file; unknown words in it are faults where `known` lists them."""
@@ -66,15 +63,26 @@ class _Reader:
             self.told(name, "is no table", f"write [{name}] on a line of its own", table)
             return {}
         for word in table if known is not None else ():
-            if word not in known:  # type: ignore[operator]
+            if known is not None and word not in known:
                 self.told(f"{name}.{word}", "unknown key", near(word, known))
         return table
 
-    def count(self, table: Mapping[str, Any], path: str, standard: int, least: int = 0) -> int:
+    def paths(self, table: str, given: Iterable[tuple[str, Any]]) -> Iterator[tuple[str, Any]]:
+        """Those of the keys under [set] or [vary] whose paths can be such of a scene."""
+        for path, item in given:
+            if _PATH.fullmatch(path):
+                yield path, item
+            else:
+                remedy = 'write words with dots between them, such as "flexspline.wall"'
+                self.told(f"{table}.{json.dumps(path)}", "is no path of a key", remedy)
+
+    def count(self, table: Mapping[str, Any], path: str, standard: int, least: int = 0, most: int = MOST) -> int:
         """A whole number of a table."""
         value = table.get(path.split(".")[-1], standard)
-        if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= 10**9:
-            self.told(path, "must be a whole number", f"write a whole number from {least} to 1000000000", value)
+        if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= most:
+            is_more = isinstance(value, int) and value > most
+            reason = f"is more than {most}" if is_more else "must be a whole number"
+            self.told(path, reason, f"write a whole number from {least} to {most}", value)
             return max(standard, least)
         return value
 
@@ -114,7 +122,8 @@ class _Reader:
         else:
             self.told("scene", "is no file name", 'write scene = "FILE.toml" before the first table', given)
             return Scene()
-        return scene.with_(flat(self.table("set"))) if self.table("set") else scene
+        changes = dict(self.paths("set", flat(self.table("set")).items()))
+        return scene.with_(changes) if changes else scene
 
     def vary(self) -> tuple[list[Key], dict[str, Expression]]:
         """Keys and links of [vary]."""
@@ -124,7 +133,7 @@ class _Reader:
                 "vary", "nothing varies", 'write [vary] and a key, such as "tilt.angle_deg" = { from = 0, to = 1 }'
             )
         fixed = flat(self.table("set"))
-        for path, spec in _specs(self.table("vary")):
+        for path, spec in self.paths("vary", _specs(self.table("vary"))):
             if path in fixed:
                 self.told(f"vary.{path}", "the key stands under [set] too", "remove one of them")
             if isinstance(spec, str):
@@ -139,14 +148,19 @@ class _Reader:
                 self.told(f"vary.{path}", "a single value does not vary", "write it under [set]", spec)
         return keys, links
 
-    def ordered(self, links: dict[str, Expression], known: Mapping[str, Any]) -> tuple[tuple[str, Expression], ...]:
-        """Links in an order in which each finds its names."""
+    def ask_names(self, links: Mapping[str, Expression], known: Mapping[str, Any]) -> None:
+        """Whether links find their names; keys that are refused themselves are not proposed."""
+        wrong = {fault.path.removeprefix("vary.").removeprefix("scene ") for fault in self.faults}
+        proposed = [name for name in (*known, *links) if name not in wrong]
         for path, link in links.items():
             for name in link.names:
                 if name not in known and name not in links:
-                    self.told(f"vary.{path}", f"unknown name {name}", near(name, [*known, *links]), link.text)
+                    self.told(f"vary.{path}", f"unknown name {name}", near(name, proposed), link.text)
                 elif name not in links and not isinstance(known[name], (int, float)):
                     self.told(f"vary.{path}", f"{name} is no number", "links compute with numbers", link.text)
+
+    def ordered(self, links: dict[str, Expression]) -> tuple[tuple[str, Expression], ...]:
+        """Links in an order in which each finds its names."""
         try:
             order = list(TopologicalSorter({path: link.names for path, link in links.items()}).static_order())
         except CycleError as error:
@@ -161,7 +175,8 @@ class _Reader:
         words = table.get("verb", "solve")
         words = [words] if isinstance(words, str) else words
         if not isinstance(words, list) or not words or any(word not in VERBS for word in words):
-            self.told("compute.verb", "unknown verb", f"write one of {', '.join(VERBS)}, or a list of them", words)
+            remedy = f"write one of {', '.join(VERBS)}, or a list of them"
+            self.told("compute.verb", "unknown verb", remedy, table["verb"])
             words = []
         errors = table.get("errors", False)
         if not isinstance(errors, bool):
@@ -170,8 +185,9 @@ class _Reader:
         for word in words:
             verbs.append((word, self.options(word, table.get(word, {}))))
         for word in VERBS:
-            if word in table and word not in words:
-                self.told(f"compute.{word}", "options of a verb that is not computed", f'write verb = ["{word}", ...]')
+            if words and word in table and word not in words:
+                remedy = f"write verb = {written([*words, word])}, or remove it"
+                self.told(f"compute.{word}", "options of a verb that is not computed", remedy)
         return verbs, bool(errors), self.count(table, "compute.survivors", 0)
 
     def options(self, verb: str, options: object) -> dict[str, Any]:
@@ -189,13 +205,16 @@ class _Reader:
                 self.told(path, "is of another type", f"write {in_words(known[option])}", value)
             elif isinstance(value, list) and len(value) > 1 and option != "best_deg":
                 self.told(path, "a drive has one case", "write one value, vary the key", value)
-        measured = options.get("measured")
-        return {**options, "measured": str(self.folder / measured)} if isinstance(measured, str) else options
+        kept = dict(options)
+        if (measured := kept.pop("measured", None)) and isinstance(measured, str):
+            kept["measured"] = str(self.folder / measured)
+        return kept
 
     def figures(self, verbs: list[str]) -> list[tuple[str, Expression]]:
         """Names of the study for figures of the results."""
         found = []
         table = self.table("figures")
+        wanted = list(verbs)
         if not table:
             self.told("figures", "no figure is wanted", 'write [figures] and a name, such as land = "solve.land_width"')
         for name, text in table.items():
@@ -210,10 +229,10 @@ class _Reader:
                 )
             for used in expression.names if expression else ():
                 verb = used.split(".")[0]
-                if verb in VERBS and verb not in verbs:
-                    self.told(
-                        f"figures.{name}", f"{verb} is not computed", f'write verb = "{verb}" under [compute]', text
-                    )
+                if verbs and verb in VERBS and verb not in verbs:
+                    wanted += [verb] * (verb not in wanted)
+                    remedy = f"write verb = {written(wanted)} under [compute]"
+                    self.told(f"figures.{name}", f"{verb} is not computed", remedy, text)
             if expression:
                 found.append((name, expression))
         return found
@@ -260,29 +279,29 @@ class _Reader:
         for fault in own:
             given = self.tables.get("scene")  # its lines are not those of the study
             place = f"line {fault.line} of {given}: " if fault.line and isinstance(given, str) else "scene "
-            self.faults.append(fault._replace(path=place + fault.path, line=0))
-        if own:
-            return
+            line = self.lines.get(f"set.{fault.path}", self.lines.get(f"scene.{fault.path}", 0))
+            self.faults.append(fault._replace(path=place + fault.path, line=line))
         for key in recipe.keys:
             for value in key.probes:
-                try:
-                    changed = recipe.scene_of(recipe.linked({**recipe.first, key.path: value}))
-                except NumericalError:
-                    continue  # a row of its own
-                for fault in changed.check():
-                    self._schema_fault(fault, key, value, recipe)
+                values = {**recipe.first, key.path: value}
+                with suppress(NumericalError):  # a link without a value is a row of its own
+                    values = recipe.linked(values)
+                for fault in recipe.scene_of(values).check():
+                    if fault not in own:
+                        self._schema_fault(fault, key, value, recipe)
 
     def ask_verbs(self, recipe: Recipe) -> None:
-        """What the verbs say of the values of their options."""
+        """What the verbs say of the values of their options, of the built-in drive where the scene has faults."""
         try:
-            scene = recipe.scene_of(recipe.linked(recipe.first))
+            scene = Scene() if recipe.scene.check() else recipe.scene_of(recipe.linked(recipe.first))
         except NumericalError:
             return
         for verb, options in recipe.verbs:
             for fault in judged(verb, options, scene) if options else ():
-                option = next((name for name in options if name.startswith(fault.path.lstrip("-"))), "")
-                place = f"compute.{verb}.{option}" if option else f"compute.{verb}"
-                self.told(place, fault.reason if option else f"{fault.path}: {fault.reason}", fault.remedy, fault.value)
+                is_given = fault.path in options
+                place = f"compute.{verb}.{fault.path}" if is_given else f"compute.{verb}"
+                reason = fault.reason if is_given else f"{fault.path}: {fault.reason}"
+                self.told(place, reason, fault.remedy, fault.value)
 
     def _schema_fault(self, fault: Fault, key: Key, value: Value, recipe: Recipe) -> None:
         """Takes over a fault that holds whatever the other keys are; others are drives that cannot be made."""
@@ -310,16 +329,47 @@ def _sort_of(key: Key) -> Value:
 
 def _optimise(reader: _Reader) -> dict[str, Any]:
     table = reader.table("optimise", ("method", "population", "generations", "seed"))
+    population = reader.count(table, "optimise.population", 40, 2, MOST // 2)
     return {
         "method": reader.word(table, "optimise.method", "nsga2", OPTIMISERS),
-        "population": reader.count(table, "optimise.population", 40, 2),
-        "generations": reader.count(table, "optimise.generations", 25, 1),
-        "seed": reader.count(table, "optimise.seed", 1),
+        "population": population,
+        "generations": reader.count(table, "optimise.generations", 25, 1, MOST // population),
+        "seed": reader.count(table, "optimise.seed", 1, most=LARGEST_SEED),
     }
 
 
-def _read_tables(reader: _Reader) -> Recipe | None:
-    """The recipe, sound as long as the reader has no fault; None where that cannot even be written down."""
+def _refuse_too_many(reader: _Reader, method: str, count: int, keys: tuple[Key, ...]) -> None:
+    """A study has at most MOST drives."""
+    drives = sample_count(method, count, keys)
+    if drives > MOST and method == "grid":
+        reader.told("sample.method", f"the grid has {drives} drives, more than {MOST}", "write fewer points")
+    elif drives > MOST:
+        most = 2 ** ((MOST // (len(keys) + 2)).bit_length() - 1)
+        reason = f"makes {drives} drives, more than {MOST}"
+        reader.told("sample.count", reason, f"write at most {most}", count)
+
+
+def _tables_of(scene: Scene) -> dict[str, Any]:
+    """Keys of a scene, sound or not; empty where its text cannot be read."""
+    try:
+        return flat(scene.to_dict())
+    except tomllib.TOMLDecodeError:
+        return {}
+
+
+def unread_curves(recipe: Recipe) -> list[Fault]:
+    """Faults of measured curves whose files cannot be read: a study is read also where they are not."""
+    lines = lines_of(recipe.text)
+    return [
+        fault_at(lines, f"compute.{verb}.measured", "cannot be read",
+                 "name a CSV file, relative to the study's folder", options["measured"])
+        for verb, options in recipe.verbs
+        if "measured" in options and recipe.tables["compute"][verb]["measured"] not in recipe.measured
+    ]  # fmt: skip
+
+
+def _read_tables(reader: _Reader) -> Recipe:
+    """The recipe, sound as long as the reader has no fault."""
     for name in reader.tables:
         if name not in TABLES:
             reader.told(name, "unknown table", near(name, TABLES))
@@ -327,12 +377,12 @@ def _read_tables(reader: _Reader) -> Recipe | None:
     keys, links = reader.vary()
     if not keys and links:
         reader.told("vary", "links alone do not vary", "give one key a law")
-    known = {**flat(scene.to_dict() if not scene.check() else {}), **{key.path: _sort_of(key) for key in keys}}
     sample = reader.table("sample", ("method", "count", "seed"))
     method = reader.word(sample, "sample.method", "sobol", METHODS)
     count = reader.count(sample, "sample.count", 64, 1)
     if method == "grid" and "count" in sample:
         reader.told("sample.count", "a grid counts itself", "remove it, or write count in the keys of [vary]")
+    _refuse_too_many(reader, method, count, tuple(keys))
     for key in keys if method == "grid" else ():
         if not key.values:
             reader.told(f"vary.{key.path}", "has no points of a grid", "add count = N, or write a list")
@@ -342,9 +392,9 @@ def _read_tables(reader: _Reader) -> Recipe | None:
     figures = reader.figures([verb for verb, _ in verbs])
     names = [name for name, _ in figures]
     reader.columns([*(key.path for key in keys), *links], names)
-    seed = reader.count(sample, "sample.seed", 1)
+    seed = reader.count(sample, "sample.seed", 1, most=LARGEST_SEED)
     recipe = Recipe(
-        reader.text, reader.tables, scene, tuple(keys), reader.ordered(links, known), method, count, seed,
+        reader.text, reader.tables, scene, tuple(keys), reader.ordered(links), method, count, seed,
         tuple(verbs), errors, survivors, tuple(figures), reader.constraints(names), reader.objectives(names),
         _optimise(reader),
     )  # fmt: skip
@@ -355,26 +405,10 @@ def _read_tables(reader: _Reader) -> Recipe | None:
             reason = "has the name of another file of the scene"
             reader.told("compute.load.measured", reason, "write another name", name)
     reader.probe(scene, recipe)
+    if base := _tables_of(scene):
+        reader.ask_names(links, {**base, **{key.path: _sort_of(key) for key in keys}})
     reader.ask_verbs(recipe)
     return recipe
-
-
-def fault_text(faults: tuple[Fault, ...]) -> str:
-    """All faults in words, one a line."""
-    lines = []
-    for fault in faults:
-        value = f" = {fault.value}" if fault.value else ""
-        line = f"line {fault.line}: " if fault.line else ""
-        remedy = f" ({fault.remedy})" if fault.remedy else ""
-        lines.append(f"{line}{fault.path}{value}: {fault.reason}{remedy}")
-    return "\n".join(lines)
-
-
-def refuse(faults: list[Fault]) -> None:
-    """Raises InputError with all faults, in order of place."""
-    if faults:
-        ordered = tuple(sorted(dict.fromkeys(faults), key=lambda fault: (fault.line or 10**9, fault.path)))
-        raise InputError(ordered, fault_text(ordered))
 
 
 def read_recipe(text: str, name: str = "text", folder: str | os.PathLike[str] = "") -> Recipe:
@@ -400,8 +434,8 @@ def read_recipe(text: str, name: str = "text", folder: str | os.PathLike[str] = 
     except tomllib.TOMLDecodeError as error:
         refuse([Fault(name, 0, "", f"no TOML: {error}", "mend the line")])
     recipe = _read_tables(reader)
-    refuse(reader.faults)
-    assert recipe is not None
+    if reader.faults:
+        refuse([*reader.faults, *unread_curves(recipe)])
     return recipe
 
 

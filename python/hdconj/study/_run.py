@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs a study: first drive, sample, survivors."""
+"""Runs a study: the drive in the middle, sample, survivors."""
 
 from __future__ import annotations
 
@@ -13,7 +13,9 @@ from .._arguments import checked
 from .._errors import Fault
 from ._drive import Row, Sample, careful_rows, estimates_errors, figures_of
 from ._engine import SHARD_SECONDS, Told, compute_rows, engine
-from ._read import load_recipe, near, refuse
+from ._faults import fault_at, lines_of, near, refuse
+from ._options import known_options
+from ._read import load_recipe, unread_curves
 from ._recipe import Recipe
 from ._store import Folder, schema_of, write_shard
 
@@ -26,44 +28,37 @@ def first_drive(recipe: Recipe) -> tuple[Row, dict[str, str], float]:
     InputError
         A name under [figures] is no figure of the result, or a verb refuses its options.
     """
-    _refuse_unread_curves(recipe)
+    refuse(unread_curves(recipe))
     _refuse_ambiguous_names(recipe)
     begin = time.perf_counter()
     rows, units = careful_rows(recipe, [(0, recipe.first)], recipe.errors)
     row = rows[0]
     if row["code"] == "figure":
         _refuse_figures(recipe)
-    options = {option for _, given in recipe.verbs for option in given}
-    if row["code"] == "scene" and (row["place"] in options or row["place"].startswith("--")):
+    options = {option for verb, _ in recipe.verbs for option in known_options(verb)}
+    if row["code"] == "scene" and (row["place"] in options or row["place"].startswith("read_measured(")):
         refuse([Fault("compute", 0, "", f"{row['place']}: {row['cause']}", "mend the options of the verb")])
     return row, units, time.perf_counter() - begin
-
-
-def _refuse_unread_curves(recipe: Recipe) -> None:
-    refuse([
-        Fault(f"compute.{verb}.measured", 0, options["measured"], "cannot be read",
-              "name a CSV file, relative to the study's folder")
-        for verb, options in recipe.verbs
-        if "measured" in options and recipe.tables["compute"][verb]["measured"] not in recipe.measured
-    ])  # fmt: skip
 
 
 def _refuse_ambiguous_names(recipe: Recipe) -> None:
     """A key that varies and a figure of the same name may have other units, as load.torque has."""
     varied = {*recipe.first, *(path for path, _ in recipe.links)} & recipe.figure_names
     both = varied & _figures_of_first(recipe) if any("." in path for path in varied) else set()
+    lines = lines_of(recipe.text)
     refuse([
-        Fault(f"figures.{name}", 0, expression.text, f"{used} is a key that varies and a figure",
-              f'let a name vary, such as T = {{ from = 1, to = 2 }}, write "{used}" = "T" under [vary], and T here')
+        fault_at(lines, f"figures.{name}", f"{used} is a key that varies and a figure",
+                 f'let a name vary, such as T = {{ from = 1, to = 2 }}, write "{used}" = "T" under [vary], and T here',
+                 expression.text)
         for name, expression in recipe.figures for used in expression.names if used in both
     ])  # fmt: skip
 
 
 def _refuse_figures(recipe: Recipe) -> None:
     """Names every figure that the first drive does not have; one that has no value for that drive is no fault."""
-    known = _figure_names(recipe)
+    known, lines = _figure_names(recipe), lines_of(recipe.text)
     refuse([
-        Fault(f"figures.{name}", 0, expression.text, f"unknown figure {used}", near(used, sorted(known)))
+        fault_at(lines, f"figures.{name}", f"unknown figure {used}", near(used, sorted(known)), expression.text)
         for name, expression in recipe.figures for used in expression.names if used not in known
     ])  # fmt: skip
 
@@ -86,7 +81,7 @@ def _figures_of_first(recipe: Recipe) -> set[str]:
 
 
 def check(study: str | os.PathLike[str] | Recipe) -> Recipe:
-    """Read a study and compute its first drive; InputError names every fault."""
+    """Read a study and compute the drive in the middle of all that varies; InputError names every fault."""
     recipe = study if isinstance(study, Recipe) else load_recipe(study)
     first_drive(recipe)
     return recipe
@@ -131,8 +126,7 @@ def run(
     place = Folder(folder)
     with place.locked():
         recipe, about = prepare(place, recipe, "run")
-        numbers = place.missing(range(recipe.drives))
-        samples: list[Sample] = [(number, recipe.values(number)) for number in numbers]
+        samples = _Samples(recipe, place.missing(range(recipe.drives)))
         with lazily(samples or recipe.survivors, jobs, scheduler) as client:
             told = compute_rows(
                 client, recipe, samples, place.rows, errors=recipe.errors, seconds=about["seconds_of_first"],
@@ -141,6 +135,19 @@ def run(
             if recipe.survivors and not recipe.errors:
                 compute_survivors(client, place, recipe, shard_seconds, progress)
     return told
+
+
+class _Samples(Sequence[Sample]):
+    """Drives of a recipe, each made where it is asked for: all of them would take much memory."""
+
+    def __init__(self, recipe: Recipe, numbers: Sequence[int]) -> None:
+        self.recipe, self.numbers = recipe, numbers
+
+    def __len__(self) -> int:
+        return len(self.numbers)
+
+    def __getitem__(self, place: Any) -> Any:
+        return self.numbers[place], self.recipe.values(self.numbers[place])
 
 
 def refuse_machine(jobs: int, shard_seconds: float) -> None:

@@ -6,6 +6,7 @@ A Latin hypercube depends on the count too, as it must.
 
 from __future__ import annotations
 
+import math
 from functools import lru_cache
 from typing import Any
 
@@ -26,7 +27,7 @@ def grid_points(key: Key) -> tuple[Value, ...]:
 def sample_count(method: str, count: int, keys: tuple[Key, ...]) -> int:
     """How many drives a study has; ``saltelli`` takes count (keys + 2) for its indices."""
     if method == "grid":
-        return int(np.prod([len(grid_points(key)) for key in keys], dtype=np.int64))
+        return math.prod(len(grid_points(key)) for key in keys)
     return count * (len(keys) + 2) if method == "saltelli" else count
 
 
