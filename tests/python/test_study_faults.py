@@ -82,6 +82,7 @@ BAD = [
     (FLANK, FLANK + '\nw = { list = ["a", "b"] }\na = "2 * w"', "vary.a = 2 * w: w is no number"),
     (FLANK, FLANK + "\nx = { from = 0, to = HUGE }", "from and to are not two numbers"),
     (FLANK, FLANK + "\nx = { from = 0, to = 1, step = HUGE }", "0... divides no range"),
+    (FLANK, FLANK + "\nx = { from = -1.7e308, to = 1.7e308 }", "is too wide (write numbers up to 1e300)"),
     (FLANK, FLANK + "\nx = { list = [HUGE] }", "no list of values"),
     (FLANK, FLANK + '\nx = "HUGE"', "0...: a number that is not finite"),
     (FLANK, FLANK + f'\nx = "{990 * "-"}1"', "more than 100 operations in each other"),

@@ -223,9 +223,12 @@ def test_workers_that_do_not_start_are_told(monkeypatch, tmp_path, capsys):
 
 
 def test_a_scheduler_without_the_package_is_told(monkeypatch, tmp_path):
-    monkeypatch.delenv("PYTHONPATH")
-    with cluster(1, tmp_path) as (address, _), pytest.raises(_engine.EngineLost, match=r"the same hdconj\[study\]"):
-        study.run(recipe(5), tmp_path / "study", scheduler=address, progress=False)
+    with contextlib.ExitStack() as stack:
+        with monkeypatch.context() as bare:
+            bare.delenv("PYTHONPATH")
+            address, _ = stack.enter_context(cluster(1, tmp_path))
+        with pytest.raises(_engine.EngineLost, match=r"the same hdconj\[study\]"):
+            study.run(recipe(5), tmp_path / "study", scheduler=address, progress=False)
 
 
 @pytest.mark.parametrize("twice", [False, True])

@@ -126,6 +126,9 @@ def _range(path: str, spec: Mapping[str, Any], told: Callable[[str, str], None])
     if low >= high:
         told(f"from = {low} is not below to = {high}", "exchange them, or write one value under [set]")
         return None
+    if not is_number(float(high) - float(low)):
+        told(f"from {low} to {high} is too wide", "write numbers up to 1e300")
+        return None
     step, count = spec.get("step"), spec.get("count")
     if step is not None:
         if not is_number(step) or step <= 0:
