@@ -52,7 +52,8 @@ def main(name):
     if all(share <= limit for _, share, limit in results):
         return 0
     why = "CalculiX may have ended in a wrong state of contact, or t" if name == "contact" else "T"
-    print(f"{why}he elements are too coarse for this cup: write the deck with more --steps, such as 24 or 48")
+    print(f"{why}he elements are too coarse for this cup: write the deck with more --steps, such as 24 or 48, "
+          "into a new folder")
     return 1
 
 
