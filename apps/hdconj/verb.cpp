@@ -39,7 +39,7 @@ void add_computing_options(CLI::App& verb, CommonOptions& common)
         ->type_name("KEY=VALUE")
         ->take_all()
         ->allow_extra_args(false);
-    verb.add_option("--threads", common.threads, "threads; 0: all cores")
+    verb.add_option("--threads", common.threads, "threads; 0: all cores, at most OMP_NUM_THREADS")
         ->check(whole_number(0, scene::bounds::most_threads))
         ->type_name("N");
     verb.add_flag("-q,--quiet", common.quiet, "no summary and no progress");

@@ -89,7 +89,7 @@ struct Solver
 {
     Kinematics kinematics = Kinematics::exact;  ///< model of the relative motion
     double tolerance = 1e-6;                    ///< [mm], largest distance of an output outline from the true one
-    int threads = 0;                            ///< 0: all cores
+    int threads = 0;                            ///< 0: all cores, at most OMP_NUM_THREADS
 };
 
 /// Effect: the flexspline cones along the axis.

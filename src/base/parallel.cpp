@@ -41,7 +41,7 @@ int thread_count(int requested)
 #ifdef _OPENMP
     if (team_is_lost.load(std::memory_order_relaxed))
         return 1;
-    return requested > 0 ? requested : std::max(1, omp_get_num_procs());
+    return requested > 0 ? requested : std::max(1, std::min(omp_get_num_procs(), omp_get_max_threads()));
 #else
     (void)requested;
     return 1;

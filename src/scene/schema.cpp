@@ -252,8 +252,8 @@ std::vector<KeySpec> solver()
                       "largest distance between a written outline and the true one; at most module / 10",
                       bounds::least_tolerance),
              "1e-6", to<&Scene::solver, &Solver::tolerance>, 1e-6},
-            {optional("threads", Q::count, "threads; 0: all cores", 0, bounds::most_threads), "0",
-             to<&Scene::solver, &Solver::threads>, 0.0}};
+            {optional("threads", Q::count, "threads; 0: all cores, at most OMP_NUM_THREADS", 0, bounds::most_threads),
+             "0", to<&Scene::solver, &Solver::threads>, 0.0}};
 }
 
 std::vector<KeySpec> coning()

@@ -142,6 +142,14 @@ TEST_CASE("all files of a real run are read by other programs")
     CHECK_THAT(content(folder / "a.svg"), ContainsSubstring("path of a tooth corner") && ContainsSubstring("</svg>"));
 }
 
+TEST_CASE("OMP_NUM_THREADS limits the threads where the scene leaves their number open")
+{
+    TemporaryFolder const folder;
+    std::string const alone = "OMP_NUM_THREADS=1 " + hdconj::test::program + " solve -o a.h5";
+    CHECK_THAT(hdconj::test::run(alone, folder.path()).out, ContainsSubstring("time, 1 thread"));
+    CHECK_THAT(hdconj::test::run(alone + " --threads 2", folder.path()).out, ContainsSubstring("time, 2 threads"));
+}
+
 TEST_CASE("two runs differ in date and times only")
 {
     TemporaryFolder const folder;

@@ -7,7 +7,8 @@
 
 namespace hdconj {
 
-/// Number of threads meant by @p requested, 0: all cores. It is 1 in a fork() of a process that had a team of threads.
+/// Number of threads meant by @p requested, 0: all cores, at most as many as OMP_NUM_THREADS says. It is 1 in a fork()
+/// of a process that had a team of threads.
 [[nodiscard]] int thread_count(int requested);
 
 /// What every thread that a loop starts does first, once; of a program that has something to prepare for its threads.
