@@ -262,7 +262,7 @@ struct Friction
 struct WireRequest
 {
     WirePart part = WirePart::circular_spline;  ///< that is cut
-    std::optional<double> thickness;            ///< of the workpiece; default circular_spline.width
+    std::optional<double> thickness;            ///< of the workpiece; default the width of the toothing
     double wire_diameter = 0;                   ///< stated by the user, never assumed
     double spark_gap = 0;                       ///< between wire and part; stated by the user, never assumed
     double lower_guide = 0;                     ///< lower guide point below the lower face

@@ -607,8 +607,9 @@ std::vector<KeySpec> wedm()
         {choice<WirePart>("part", "what is cut; the flexspline in two set-ups of half its teeth each", false),
          "\"circular-spline\"", to<&Scene::wedm, &WireRequest::part>, "circular-spline"},
         {optional("thickness", Q::positive_length,
-                  "of the workpiece, its middle at z = 0; absent: circular_spline.width", -infinity,
-                  bounds::largest_workpiece),
+                  "of the workpiece, its middle at z = 0; absent: circular_spline.width, for the flexspline "
+                  "flexspline.cup.tooth_width where there is a cup",
+                  -infinity, bounds::largest_workpiece),
          "7.0", to<&Scene::wedm, &WireRequest::thickness>},
         {optional("lower_guide", Q::nonnegative_length, "lower guide point of the wire below the lower face"), "20.0",
          to<&Scene::wedm, &WireRequest::lower_guide>, 20.0},

@@ -37,7 +37,9 @@ int wire_teeth(Scene const& scene)
 /// Of the workpiece [mm]; 0: not stated.
 double thickness_of(Scene const& scene)
 {
-    return scene.wedm->thickness.value_or(scene.circular_spline.width.value_or(0));
+    bool const of_cup = cuts_flexspline(scene) && scene.flexspline.cup;
+    double const width = of_cup ? scene.flexspline.cup->tooth_width : scene.circular_spline.width.value_or(0);
+    return scene.wedm->thickness.value_or(width);
 }
 
 /// Tilt of the part's teeth [rad].

@@ -109,7 +109,10 @@ std::vector<BadKeys> const& keys()
         {{"wedm.part=flexspline", "wedm.start=200"}, "wedm.start", "200 tooth spaces", "from 0 to 199"},
         {{"wedm.part=flexspline", "wedm.overlap=50"}, "wedm.overlap", "half of what a set-up cuts", "a few mm"},
         {{"wedm.part=flexspline", "wedm.lead_in=0.5"}, "wedm.lead_in", "reach into the cut", "lead_in above 0.556"},
-        {{"wedm.part=flexspline", "!circular_spline.width"}, "wedm.thickness", "missing", "thickness = 7.0"},
+        {{"wedm.part=flexspline", "!circular_spline.width", "!flexspline.cup"},
+         "wedm.thickness",
+         "missing",
+         "thickness = 7.0"},
     };
     return table;
 }

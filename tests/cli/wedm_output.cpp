@@ -302,6 +302,7 @@ TEST_CASE("wedm cuts the flexspline in two set-ups that appear together", "[wedm
     CHECK(set_ups[1].at("spaces") == 100);
     CHECK(set_ups[1].at("part_turned_deg") == 180);
     CHECK(figures.at("external") == true);
+    CHECK(figures.at("thickness_mm") == 8);  // flexspline.cup.tooth_width; the circular spline is 7 mm wide
     // half a turn is a whole number of pitches of 200 teeth: both set-ups have one program
     auto const file = [&](std::string const& name) {
         return content(folder / "type-50-flexspline-wedm" / ("type-50-flexspline_" + name));
