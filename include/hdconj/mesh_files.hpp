@@ -52,7 +52,8 @@ void write_vtk(ContactStudy const& study, std::filesystem::path const& file, Sur
 /// the drive: x = r sin phi, y = r cos phi, z from the middle of the bearing.
 /// @param cup    the bent cup
 /// @param file   NAME.vtu
-/// @param steps  elements round the axis
+/// @param steps  elements round the axis, 4 to 1440
+/// @throws InputError for other steps
 void write_vtu(elastic::BentCup const& cup, std::filesystem::path const& file, int steps = 96);
 
 /// A folder with a complete deck for CalculiX (`ccx linear`) and the result that it must give:
@@ -71,9 +72,9 @@ void write_vtu(elastic::BentCup const& cup, std::filesystem::path const& file, i
 /// with a width.
 /// @param cup      the bent cup
 /// @param folder   that is made, or replaced where it was written so before
-/// @param steps    elements round that
+/// @param steps    elements round that, 4 to 1440
 /// @param contact  with the second deck
-/// @throws FileError where the folder cannot be made or holds other files
+/// @throws FileError where the folder cannot be made or holds other files; InputError for other steps
 void write_calculix(elastic::BentCup const& cup, std::filesystem::path const& folder, int steps = 48,
                     bool contact = false);
 

@@ -3,6 +3,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
+
+#include "hdconj/error.hpp"
 
 namespace hdconj::elastic {
 namespace {
@@ -49,6 +52,10 @@ class Numbering
 
 SweptMesh swept_mesh(SectionMesh const& section, double angle, int steps)
 {
+    if (steps < fewest_swept_steps || steps > most_swept_steps)
+        throw InputError(Fault{"steps", 0, std::to_string(steps), "so many elements round the axis make no mesh",
+                               "give a whole number from " + std::to_string(fewest_swept_steps) + " to " +
+                                   std::to_string(most_swept_steps)});
     Numbering const number(section, angle, steps);
     auto const count = static_cast<int>(section.nodes.size());
     SweptMesh mesh;

@@ -26,7 +26,10 @@ struct SweptMesh
     std::vector<std::array<int, 20>> elements;
 };
 
+inline constexpr int fewest_swept_steps = 4, most_swept_steps = 1440;
+
 /// @p section swept from phi = 0 over @p angle in @p steps elements. A whole turn is closed.
+/// @throws InputError for fewer or more steps than that
 [[nodiscard]] SweptMesh swept_mesh(SectionMesh const& section, double angle, int steps);
 
 /// Nodal forces [N] that do the same work as line loads on the nodes of the section, f_i(phi) = sum_k cosine(i, k)

@@ -2,6 +2,7 @@
 // What `hdconj contact` must refuse: scenes with axial effects with an edit, and command lines; and what must be said
 // about them.
 #include <fstream>
+#include <limits>
 
 #include "bad_commands.hpp"
 #include "bad_scene_checks.hpp"
@@ -238,6 +239,8 @@ TEST_CASE("contact called as a library refuses the same", "[contact]")
     auto const faults = check_contact(reading.scene, options);
     INFO(describe(faults));
     CHECK(faults.size() == 5);
+    options.best_to = std::numeric_limits<double>::infinity();
+    CHECK_THAT(describe(check_contact(reading.scene, options)), ContainsSubstring("not a finite number"));
     ContactOptions turns;
     turns.revolution = 10000;
     CHECK(check_options(turns).empty());

@@ -16,7 +16,11 @@ Faults check_options(ContactOptions const& options)
 {
     Faults faults;
     double const steepest = scene::bounds::largest_tilt_deg * deg;
-    for (double const tilt : options.tilts) {
+    std::vector<double> tilts = options.tilts;
+    for (double const end : {options.best_from, options.best_to})
+        if (options.best && std::ranges::find(tilts, end) == tilts.end())
+            tilts.push_back(end);
+    for (double const tilt : tilts) {
         if (!std::isfinite(tilt))
             faults.push_back(
                 {"--tilt", 0, short_number(tilt), "not a finite number", "write angles in degrees such as 0,0.1,0.2"});

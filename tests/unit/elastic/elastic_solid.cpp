@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "elastic/influence.hpp"
+#include "elastic/swept_mesh.hpp"
 #include "hdconj/error.hpp"
 #include "support/catch.hpp"
 
@@ -490,6 +491,9 @@ TEST_CASE("walls of all kinds are solved or refused", "[elastic]")
         elastic::SectionMesh const mesh = elastic::section_mesh({});
         CHECK_THROWS_WITH(wall_point(mesh, 1, 0), ContainsSubstring("outside the straight wall"));
         CHECK_THROWS_WITH(wall_point(mesh, 9, 1.5), ContainsSubstring("depth"));
+        for (int const steps : {-1, 0, 3, 1441})
+            CHECK_THROWS_AS(elastic::swept_mesh(mesh, pi, steps), InputError);
+        CHECK(elastic::swept_mesh(mesh, pi, 4).elements.size() == 4 * mesh.elements.size());
     }
 }
 
