@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The scene: everything a user says about a drive, as plain data, in mm and rad (the reader converts keys in _deg).
+/// The scene: everything a user says about a drive, as plain data. Members are in mm and rad; the parameters of a
+/// family (scene::FamilyChoice::given) keep the units of the scene file, so that "pressure_angle_deg" holds degrees.
+/// Defaults are those of a scene file.
 // Long: the tables of a scene belong together.
 #pragma once
 
@@ -14,6 +16,7 @@
 
 #include "hdconj/scene/parameters.hpp"
 #include "hdconj/scene_words.hpp"
+#include "hdconj/units.hpp"
 
 namespace hdconj {
 
@@ -45,9 +48,9 @@ struct Cup
     std::optional<double> rear_fillet;   ///< radius of an arc in place of the ramp
     std::optional<double> front_fillet;  ///< the same in front
     std::optional<double> tooth_layer;   ///< effect: height of the teeth as a layer that stiffens the ring
-    double tooth_share = 0;              ///< of that layer that is steel
-    double youngs_modulus = 0;           ///< [MPa]
-    double poissons_ratio = 0;           ///< Poisson's ratio
+    double tooth_share = 0.5;            ///< of that layer that is steel
+    double youngs_modulus = 206e3;       ///< [MPa]
+    double poissons_ratio = 0.3;         ///< Poisson's ratio
     double fatigue_strength = usual_fatigue_strength;  ///< sigma_-1, alternating bending, for the judgement [MPa]
     int line = 0;                                      ///< of the table in the scene file, 1-based; 0: by --set
 };
@@ -122,8 +125,8 @@ struct BearingChoice
     double poissons_ratio = 0.3;             ///< of both rings
     double ball_youngs_modulus = 206e3;      ///< of the balls [MPa]
     double ball_poissons_ratio = 0.3;        ///< of the balls
-    int angles = 0;                          ///< points of contact in a lobe
-    int circles = 0;                         ///< and over the width
+    int angles = 48;                         ///< points of contact in a lobe
+    int circles = 13;                        ///< and over the width
     int line = 0;                            ///< of the table in the scene file, 1-based; 0: by --set
 };
 
@@ -214,8 +217,8 @@ struct Errors
 /// What contact is asked for. Only the verb `contact` reads it.
 struct ContactRequest
 {
-    double gap = 0;             ///< contact where the gap is no larger [mm]
-    int flank_points = 0;       ///< along each flank
+    double gap = 0.001;         ///< contact where the gap is no larger [mm]
+    int flank_points = 200;     ///< along each flank
     double wave_generator = 0;  ///< angle of the wave generator from a tooth space [rad]
     int line = 0;               ///< of the table in the scene file, 1-based; 0: by --set
 };
@@ -225,7 +228,7 @@ struct LoadRequest
 {
     std::optional<double> torque;         ///< rated, on the circular spline [N mm]
     int points = 0;                       ///< torques from 0 to the rated one; 0: as many as needed
-    int harmonics = 0;                    ///< highest one around the circumference
+    int harmonics = 100;                  ///< highest one around the circumference
     std::optional<double> first_torque;   ///< T1 of the stiffness K1 [N mm]; default 0.175 of the rated one
     std::optional<double> second_torque;  ///< T2 of the stiffness K2 [N mm]; default 0.625 of the rated one
     std::optional<double> edge_radius;    ///< of the lands' edges under load [mm]; default 1/25 of the module
@@ -265,20 +268,20 @@ struct WireRequest
     std::optional<double> thickness;            ///< of the workpiece; default the width of the toothing
     double wire_diameter = 0;                   ///< stated by the user, never assumed
     double spark_gap = 0;                       ///< between wire and part; stated by the user, never assumed
-    double lower_guide = 0;                     ///< lower guide point below the lower face
-    double upper_guide = 0;                     ///< upper guide point above the upper face
+    double lower_guide = 20;                    ///< lower guide point below the lower face
+    double upper_guide = 30;                    ///< upper guide point above the upper face
     std::vector<double> stock;                  ///< left by each pass, in order; the last one leaves none
     bool alternating = false;                   ///< every second pass runs against the first
     int start = 0;                              ///< tooth space beside whose tip land the path begins
-    double lead_in = 0;                         ///< from the start hole's centre to the nominal contour
-    double start_hole_radius = 0;               ///< distance of its centre from the axis
+    double lead_in = 3;                         ///< from the start hole's centre to the nominal contour
+    double start_hole_radius = 0.5;             ///< distance of its centre from the axis
     double overlap = 0;                         ///< beyond the point where the contour closes
-    double stop_before = 0;                     ///< first pass: stop this far before it closes; 0: no stop
+    double stop_before = 1;                     ///< first pass: stop this far before it closes; 0: no stop
     WireStop stop = WireStop::always;           ///< the word of that stop
-    double tolerance = 0;                 ///< largest distance of the surface cut from the nominal one, residuals apart
-    double residual_limit = 0;            ///< residual material that is accepted
+    double tolerance = 0.0005;            ///< largest distance of the surface cut from the nominal one, residuals apart
+    double residual_limit = 0.01;         ///< residual material that is accepted
     std::optional<double> surface_limit;  ///< error between the faces that is accepted; default the tolerance
-    double largest_tilt = 0;              ///< of the wire that the machine can make [rad]
+    double largest_tilt = 30 * deg;       ///< of the wire that the machine can make [rad]
     std::optional<double> largest_travel;     ///< of each axis of each guide from the start hole, either way
     std::optional<double> largest_uv_travel;  ///< of each axis of the upper guide against the lower one, either way
     int decimals = 4;                         ///< of rounded outputs

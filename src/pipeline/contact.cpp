@@ -11,7 +11,7 @@
 #include "contact/study/contact_case.hpp"
 #include "contact/study/contact_study_data.hpp"
 #include "contact/study/surface_choices.hpp"
-#include "hdconj/scene/schema.hpp"
+#include "hdconj/scene/reading.hpp"
 #include "part_of_case.hpp"
 
 namespace hdconj {
@@ -159,6 +159,8 @@ void write_solution(ContactStudy& study, contact::ContactStudyData& data, Scene 
 ContactStudy study_contact(Scene const& scene, ContactOptions const& options, StageObserver const& on_stage,
                            Progress const& progress)
 {
+    if (Faults const values = scene::value_faults(scene); !values.empty())
+        throw InputError(values);
     Faults faults;
     for (Faults const& more : {check_scene(scene), check_contact(scene, options)})
         faults.insert(faults.end(), more.begin(), more.end());

@@ -10,7 +10,7 @@
 #include "base/text.hpp"
 #include "drive/drive.hpp"
 #include "hdconj/check.hpp"
-#include "hdconj/scene/schema.hpp"
+#include "hdconj/scene/reading.hpp"
 #include "hdconj/solve.hpp"
 #include "inspect/evaluation.hpp"
 #include "inspect/plane_points.hpp"
@@ -104,6 +104,8 @@ void require_finite(Faults& faults, char const* option, std::optional<double> gi
 Inspection inspect_points(Scene const& scene, PointFile const& measured, InspectOptions const& options,
                           StageObserver const& on_stage)
 {
+    if (Faults const values = scene::value_faults(scene); !values.empty())
+        throw InputError(values);
     Faults faults = check_scene(scene);
     require_finite(faults, "--probe", options.probe);
     require_finite(faults, "--plane", options.plane);

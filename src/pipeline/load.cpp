@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "hdconj/scene/reading.hpp"
 #include "judgement/judgement.hpp"
 #include "load/model/ring_errors.hpp"
 #include "load/study/load_study.hpp"
@@ -45,6 +46,8 @@ void describe_drive(contact::ContactStudyData& data, load::ElasticDrive const& d
 LoadStudy study_load(Scene const& scene, LoadOptions const& options, StageObserver const& on_stage,
                      Progress const& progress, std::function<void(std::string const&)> const& talk)
 {
+    if (Faults const faults = scene::value_faults(scene); !faults.empty())
+        throw InputError(faults);
     load::LoadObserver const observer{progress, talk};
     auto const [data, standard_tip_increase] = load::contact_data(load::checked_scene(scene, options), on_stage);
     contact::ContactContext const& context = *data->context;

@@ -10,6 +10,7 @@
 #include "contact/study/surface_choices.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/running.hpp"
+#include "hdconj/scene/reading.hpp"
 #include "judgement/judgement.hpp"
 #include "load/grids/grid_error.hpp"
 #include "load/model/ring_errors.hpp"
@@ -256,6 +257,8 @@ std::size_t positions_of(Scene const& scene, running::RunTask const& task, bool 
 RunStudy study_run(Scene const& scene, RunOptions const& options, StageObserver const& on_stage,
                    Progress const& progress)
 {
+    if (Faults const faults = scene::value_faults(scene); !faults.empty())
+        throw InputError(faults);
     Scene const checked = running::checked_run_scene(scene, options);
     running::RunTask const task = running::run_task(checked, options);
     bool const elastic = task.torque > 0;

@@ -8,6 +8,7 @@
 #include "contact/study/contact_case.hpp"
 #include "drive/drive.hpp"
 #include "hdconj/check.hpp"
+#include "hdconj/scene/reading.hpp"
 #include "surface/build_slices.hpp"
 
 namespace hdconj {
@@ -53,6 +54,8 @@ Solution solve_with_automatic_backlash(Scene const& scene, StageObserver const& 
 
 Solution solve(Scene const& scene, StageObserver const& on_stage)
 {
+    if (Faults const faults = scene::value_faults(scene); !faults.empty())
+        throw InputError(faults);
     if (Faults const faults = check_scene(scene); !faults.empty())
         throw InputError(faults);
     if (scene.circular_spline.automatic_backlash)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Long: a table, one row for each key of a scene.
 // One table of all keys of a scene. It stays in one file, longer than others, so that a key has one place: its name,
-// meaning, unit, bounds, example, default and the member of Scene that it sets.
+// meaning, unit, bounds, example, default and the member of Scene that holds it.
 #include "hdconj/scene/schema.hpp"
 
 #include <limits>
@@ -16,6 +16,7 @@ namespace {
 using Q = Quantity;
 
 constexpr double rpm = 2 * std::numbers::pi / 60;  // [rad/s]
+constexpr double no_unit = 1;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double number(Parameter const& parameter)
@@ -28,28 +29,66 @@ std::string const& word(Parameter const& parameter)
     return std::get<std::string>(parameter.value);
 }
 
-/// Takes over a value that has been validated.
+/// Takes over a value that has been validated. @param unit  of its numbers, in that of the library
 template <class Value>
-void take(Value& value, Parameter const& parameter)
+void take(Value& value, Parameter const& parameter, double unit)
 {
     if constexpr (Worded<Value>)
         value = from_word<Value>(word(parameter)).value();
     else if constexpr (std::is_same_v<Value, std::string>)
         value = word(parameter);
+    else if constexpr (std::is_same_v<Value, NumberRows>)
+        value = std::get<NumberRows>(parameter.value);
+    else if constexpr (std::is_same_v<Value, std::vector<double>>)
+        for (auto const& row : std::get<NumberRows>(parameter.value))
+            value.push_back(row.front() * unit);
     else
-        value = static_cast<Value>(number(parameter));
+        value = static_cast<Value>(number(parameter) * unit);
 }
 
 template <class Value>
-void take(std::optional<Value>& value, Parameter const& parameter)
+void take(std::optional<Value>& value, Parameter const& parameter, double unit)
 {
-    take(value.emplace(), parameter);
+    take(value.emplace(), parameter, unit);
 }
 
-void take(FamilyChoice& choice, Parameter const& parameter)
+void take(FamilyChoice& choice, Parameter const& parameter, double /*unit*/)
 {
     choice.family = word(parameter);
     choice.line = parameter.line;
+}
+
+/// The reverse of take(); nothing for an empty list, which is an absent one.
+template <class Value>
+std::optional<ParameterValue> give(Value const& value, double unit)
+{
+    if constexpr (Worded<Value>) {
+        auto const at = static_cast<std::size_t>(value);
+        return std::string(at < words_of<Value>.size() ? words_of<Value>[at] : "?");
+    } else if constexpr (std::is_same_v<Value, NumberRows>) {
+        return value.empty() ? std::nullopt : std::optional<ParameterValue>(value);
+    } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+        NumberRows rows;
+        for (double const each : value)
+            rows.push_back({each / unit});
+        return give(rows, unit);
+    } else if constexpr (std::is_arithmetic_v<Value>) {
+        return static_cast<double>(value) / unit;
+    } else {
+        return value;
+    }
+}
+
+template <class Value>
+std::optional<ParameterValue> give(std::optional<Value> const& value, double unit)
+{
+    return value ? give(*value, unit) : std::nullopt;
+}
+
+/// The name of a family is checked where the family is made.
+std::optional<ParameterValue> give(FamilyChoice const& /*choice*/, double /*unit*/)
+{
+    return {};
 }
 
 /// The member of @p object at the end of the path @p first, @p rest; an object of its own on the way is there.
@@ -65,21 +104,46 @@ auto& member(auto& object)
         return member<rest...>(value);
 }
 
-/// Puts a value where the members @p path lead, those of Scene first.
-template <auto... path>
-void to(Scene& scene, Parameter const& parameter)
+/// The same of an object that may be absent on the way; then null.
+template <auto first, auto... rest>
+auto const* member_if_any(auto const& object)
 {
-    take(member<path...>(scene), parameter);
+    auto const& value = object.*first;
+    if constexpr (sizeof...(rest) == 0)
+        return &value;
+    else if constexpr (requires { value.has_value(); })
+        return value ? member_if_any<rest...>(*value) : nullptr;
+    else
+        return member_if_any<rest...>(value);
 }
 
+/// Where the members @p path lead, those of Scene first. @tparam unit  of the key, in that of the library
+template <double const& unit, auto... path>
+constexpr SceneMember in_unit{
+    [](Scene& scene, Parameter const& parameter) { take(member<path...>(scene), parameter, unit); },
+    [](Scene const& scene) {
+        auto const* const value = member_if_any<path...>(scene);
+        return value != nullptr ? give(*value, unit) : std::nullopt;
+    }};
+
 template <auto... path>
-void to_rad(Scene& scene, Parameter const& parameter)
-{
-    member<path...>(scene) = number(parameter) * deg;
-}
+constexpr SceneMember to = in_unit<no_unit, path...>;
+
+template <auto... path>
+constexpr SceneMember to_rad = in_unit<deg, path...>;
+
+template <auto... path>
+constexpr SceneMember to_torque = in_unit<newton_metre, path...>;
 
 template <auto member_of_cup>
-constexpr auto to_cup = to<&Scene::flexspline, &Flexspline::cup, member_of_cup>;
+constexpr SceneMember to_cup = to<&Scene::flexspline, &Flexspline::cup, member_of_cup>;
+
+/// The same of a number that is 0 where it is absent.
+template <auto... path>
+constexpr SceneMember to_unless_0{to<path...>.store, [](Scene const& scene) {
+                                      auto const value = to<path...>.read(scene);
+                                      return value == ParameterValue(0.0) ? std::nullopt : value;
+                                  }};
 
 /// Makes the object of an effect.
 template <auto... path>
@@ -215,11 +279,14 @@ std::vector<KeySpec> circular_spline()
                              0),
                     {"auto"}),
          "0.02",
-         [](Scene& s, Parameter const& p) {
-             bool const automatic = std::holds_alternative<std::string>(p.value);
-             s.circular_spline.automatic_backlash = automatic;
-             s.circular_spline.backlash_offset = automatic ? 0.0 : number(p);
-         },
+         {[](Scene& s, Parameter const& p) {
+              bool const automatic = std::holds_alternative<std::string>(p.value);
+              s.circular_spline.automatic_backlash = automatic;
+              s.circular_spline.backlash_offset = automatic ? 0.0 : number(p);
+          },
+          [](Scene const& s) {
+              return s.circular_spline.automatic_backlash ? "auto" : give(s.circular_spline.backlash_offset, no_unit);
+          }},
          0.0},
         {optional("root_clearance", Q::nonnegative_length, "extra depth of the tooth space"), "0.02",
          to<&Scene::circular_spline, &CircularSpline::root_clearance>, 0.0},
@@ -238,7 +305,8 @@ std::vector<KeySpec> circular_spline()
 std::vector<KeySpec> circular_spline_profile()
 {
     return {{required("family", Q::word, "tooth family; decides the other keys of this table"),
-             "\"double-circular-arc\"", [](Scene& s, Parameter const& p) { take(*s.circular_spline.profile, p); }}};
+             "\"double-circular-arc\"",
+             {[](Scene& s, Parameter const& p) { take(*s.circular_spline.profile, p, no_unit); }}}};
 }
 
 std::vector<KeySpec> solver()
@@ -312,7 +380,12 @@ std::vector<KeySpec> bearing()
 {
     return {{choice("type", "surface of the cam's shape, or outer ring that bends on its balls", {"rigid", "elastic"},
                     true),
-             "\"elastic\"", [](Scene& s, Parameter const& p) { s.bearing->elastic = word(p) == "elastic"; }},
+             "\"elastic\"",
+             {[](Scene& s, Parameter const& p) { s.bearing->elastic = word(p) == "elastic"; },
+              [](Scene const& s) {
+                  return s.bearing ? std::optional<ParameterValue>(s.bearing->elastic ? "elastic" : "rigid")
+                                   : std::nullopt;
+              }}},
             {required("width", Q::nonnegative_length,
                       "over which the cup may touch it, its middle at z = 0; 0: one line, type \"rigid\" only"),
              "6.0", to<&Scene::bearing, &BearingChoice::width>},
@@ -329,7 +402,9 @@ std::vector<KeySpec> bearing()
              "2000", to<&Scene::bearing, &BearingChoice::radial_stiffness>},
             {choice("axially", "whether the groove holds the balls along the axis; type \"elastic\" only",
                     {"held", "free"}, false),
-             "\"held\"", [](Scene& s, Parameter const& p) { s.bearing->axially_held = word(p) == "held"; }, "held"},
+             "\"held\"",
+             {[](Scene& s, Parameter const& p) { s.bearing->axially_held = word(p) == "held"; }},
+             "held"},
             {optional("balls", Q::count,
                       "how many; for load and run, which press the ring outward at each of them; absent: a "
                       "continuous row; type \"elastic\" only",
@@ -350,8 +425,7 @@ template <auto member_of_compliance>
 KeySpec in_series(std::string_view key, std::string_view meaning, std::string_view example)
 {
     return {optional(key, Q::number, meaning, bounds::least_torsional_stiffness, bounds::largest_torsional_stiffness),
-            example,
-            [](Scene& s, Parameter const& p) { (*s.compliance).*member_of_compliance = number(p) * newton_metre; }};
+            example, to_torque<&Scene::compliance, member_of_compliance>};
 }
 
 std::vector<KeySpec> compliance()
@@ -426,8 +500,7 @@ std::vector<KeySpec> errors()
                                  "beyond the slope",
                                  bounds::fewest_form_rows, bounds::most_rows),
                         {"[height, excess]", row_file}),
-             "[[-0.3, 0], [-0.1, 0.001], [0.1, 0.001], [0.2, 0]]",
-             [](Scene& s, Parameter const& p) { s.errors->profile_form = std::get<NumberRows>(p.value); }}};
+             "[[-0.3, 0], [-0.1, 0.001], [0.1, 0.001], [0.2, 0]]", to<&Scene::errors, &Errors::profile_form>}};
 }
 
 /// What the heights of a ring's profile are, in words.
@@ -448,37 +521,33 @@ constexpr ProfileWords spline_profile{
 template <auto ring>
 std::vector<KeySpec> ring_errors(ProfileWords const& profile)
 {
-    return {{optional("pitch_deviation", Q::nonnegative_length,
-                      "standard deviation of the random places of teeth along the pitch circle"),
-             "0.002", to<&Scene::errors, ring, &RingErrors::pitch_deviation>, 0.0},
-            {with_words(optional("pitch", Q::rows,
-                                 "the place of each tooth along the pitch circle, clockwise, from tooth 0 on; in place "
-                                 "of pitch_deviation",
-                                 1, bounds::most_rows),
-                        {"[place]", row_file}),
-             "[0.001, -0.002]",
-             [](Scene& s, Parameter const& p) {
-                 for (auto const& row : std::get<NumberRows>(p.value))
-                     ((*s.errors).*ring)->pitch.push_back(row.front());
-             }},
-            {optional("eccentricity", Q::nonnegative_length, "of the ring of teeth against its axis"), "0.005",
-             to<&Scene::errors, ring, &RingErrors::eccentricity>, 0.0},
-            {optional("eccentricity_phase_deg", Q::angle_deg, "where the ring stands out, clockwise from its tooth 0"),
-             "30", to_rad<&Scene::errors, ring, &RingErrors::eccentricity_phase>, 0.0},
-            {optional("wobble_deg", Q::angle_deg,
-                      "between the axis of the ring of teeth and that of the drive, which cross in the middle of the "
-                      "face width",
-                      0, bounds::largest_wobble_deg),
-             "0.02", to_rad<&Scene::errors, ring, &RingErrors::wobble>, 0.0},
-            {optional("wobble_phase_deg", Q::angle_deg,
-                      "where the ring stands out at the cup's open end, clockwise from its tooth 0"),
-             "30", to_rad<&Scene::errors, ring, &RingErrors::wobble_phase>, 0.0},
-            {optional("profile_slope", Q::length, profile.slope), "0.002",
-             to<&Scene::errors, ring, &RingErrors::profile_slope>, 0.0},
-            {with_words(optional("profile_form", Q::rows, profile.form, bounds::fewest_form_rows, bounds::most_rows),
-                        {"[height, excess]", row_file}),
-             "[[-0.3, 0], [-0.1, 0.001], [0.1, 0.001], [0.2, 0]]",
-             [](Scene& s, Parameter const& p) { ((*s.errors).*ring)->profile_form = std::get<NumberRows>(p.value); }}};
+    return {
+        {optional("pitch_deviation", Q::nonnegative_length,
+                  "standard deviation of the random places of teeth along the pitch circle"),
+         "0.002", to<&Scene::errors, ring, &RingErrors::pitch_deviation>, 0.0},
+        {with_words(optional("pitch", Q::rows,
+                             "the place of each tooth along the pitch circle, clockwise, from tooth 0 on; in place "
+                             "of pitch_deviation",
+                             1, bounds::most_rows),
+                    {"[place]", row_file}),
+         "[0.001, -0.002]", to<&Scene::errors, ring, &RingErrors::pitch>},
+        {optional("eccentricity", Q::nonnegative_length, "of the ring of teeth against its axis"), "0.005",
+         to<&Scene::errors, ring, &RingErrors::eccentricity>, 0.0},
+        {optional("eccentricity_phase_deg", Q::angle_deg, "where the ring stands out, clockwise from its tooth 0"),
+         "30", to_rad<&Scene::errors, ring, &RingErrors::eccentricity_phase>, 0.0},
+        {optional("wobble_deg", Q::angle_deg,
+                  "between the axis of the ring of teeth and that of the drive, which cross in the middle of the "
+                  "face width",
+                  0, bounds::largest_wobble_deg),
+         "0.02", to_rad<&Scene::errors, ring, &RingErrors::wobble>, 0.0},
+        {optional("wobble_phase_deg", Q::angle_deg,
+                  "where the ring stands out at the cup's open end, clockwise from its tooth 0"),
+         "30", to_rad<&Scene::errors, ring, &RingErrors::wobble_phase>, 0.0},
+        {optional("profile_slope", Q::length, profile.slope), "0.002",
+         to<&Scene::errors, ring, &RingErrors::profile_slope>, 0.0},
+        {with_words(optional("profile_form", Q::rows, profile.form, bounds::fewest_form_rows, bounds::most_rows),
+                    {"[height, excess]", row_file}),
+         "[[-0.3, 0], [-0.1, 0.001], [0.1, 0.001], [0.2, 0]]", to<&Scene::errors, ring, &RingErrors::profile_form>}};
 }
 
 std::vector<KeySpec> wave_generator_errors()
@@ -492,10 +561,12 @@ std::vector<KeySpec> wave_generator_errors()
                                  "angles clockwise from the major axis, over a whole turn, and the radial excess there",
                                  bounds::fewest_form_rows, bounds::most_rows),
                         {"[angle_deg, excess]", row_file}),
-             "[[0, 0.002], [90, 0], [180, -0.001], [270, 0]]", [](Scene& s, Parameter const& p) {
-                 for (auto const& row : std::get<NumberRows>(p.value))
-                     s.errors->wave_generator->cam_deviation.push_back({row[0] * deg, row[1]});
-             }}};
+             "[[0, 0.002], [90, 0], [180, -0.001], [270, 0]]",
+             {[](Scene& s, Parameter const& p) {
+                  for (auto const& row : std::get<NumberRows>(p.value))
+                      s.errors->wave_generator->cam_deviation.push_back({row[0] * deg, row[1]});
+              },
+              to<&Scene::errors, &Errors::wave_generator, &WaveGeneratorErrors::cam_deviation>.read}}};
 }
 
 std::vector<KeySpec> contact()
@@ -515,17 +586,17 @@ std::vector<KeySpec> load()
     return {
         {optional("torque", Q::number, "rated torque on the circular spline, in N m", bounds::least_torque,
                   bounds::largest_torque),
-         "28.0", [](Scene& s, Parameter const& p) { s.load->torque = number(p) * newton_metre; }},
+         "28.0", to_torque<&Scene::load, &LoadRequest::torque>},
         {optional("points", Q::count, "torques from 0 to the rated one; absent: as many as the stiffness needs", 1,
                   bounds::most_torques),
-         "10", to<&Scene::load, &LoadRequest::points>},
+         "10", to_unless_0<&Scene::load, &LoadRequest::points>},
         {optional("first_torque", Q::number, "T1 in N m: K1 is the stiffness from 0 to T1; absent: 0.175 of the rated",
                   bounds::least_torque, bounds::largest_torque),
-         "5.0", [](Scene& s, Parameter const& p) { s.load->first_torque = number(p) * newton_metre; }},
+         "5.0", to_torque<&Scene::load, &LoadRequest::first_torque>},
         {optional("second_torque", Q::number,
                   "T2 in N m: K2 is the stiffness from T1 to T2, K3 from T2 on; absent: 0.625 of the rated",
                   bounds::least_torque, bounds::largest_torque),
-         "17.5", [](Scene& s, Parameter const& p) { s.load->second_torque = number(p) * newton_metre; }},
+         "17.5", to_torque<&Scene::load, &LoadRequest::second_torque>},
         {optional(
              "harmonics", Q::count,
              "highest harmonic around the circumference; at most half the flexspline's teeth, more where they are few",
@@ -534,14 +605,6 @@ std::vector<KeySpec> load()
         {optional("edge_radius", Q::positive_length,
                   "of the edges where teeth touch under load; absent: 1/25 of the module", bounds::least_length),
          "0.01", to<&Scene::load, &LoadRequest::edge_radius>}};
-}
-
-/// Numbers of a list, each times @p unit.
-template <auto list>
-void to_numbers(Scene& scene, Parameter const& parameter, double unit)
-{
-    for (auto const& row : std::get<NumberRows>(parameter.value))
-        ((*scene.running).*list).push_back(row.front() * unit);
 }
 
 std::vector<KeySpec> running()
@@ -554,14 +617,14 @@ std::vector<KeySpec> running()
          "\"flexspline\"", to<&Scene::running, &RunRequest::output>, "flexspline"},
         {optional("positions", Q::count, "of the wave generator over one tooth pitch; absent: 16",
                   bounds::fewest_positions, bounds::most_positions),
-         "16", to<&Scene::running, &RunRequest::positions>},
+         "16", to_unless_0<&Scene::running, &RunRequest::positions>},
         {list("torques", "on the output in N m, of the efficiency; absent: 10, 25, 50 and 100 % of the largest torque",
               "[torque]"),
-         "[5, 14, 28]", [](Scene& s, Parameter const& p) { to_numbers<&RunRequest::torques>(s, p, newton_metre); }},
+         "[5, 14, 28]", to_torque<&Scene::running, &RunRequest::torques>},
         {list("speeds", "of the wave generator in rpm, of the efficiency; absent: 500, 1000, 2000 and 3500", "[speed]"),
-         "[500, 2000]", [](Scene& s, Parameter const& p) { to_numbers<&RunRequest::speeds>(s, p, rpm); }},
+         "[500, 2000]", in_unit<rpm, &Scene::running, &RunRequest::speeds>},
         {list("temperatures", "of the lubricant in degrees Celsius, of the efficiency; absent: 40", "[temperature]"),
-         "[0, 40]", [](Scene& s, Parameter const& p) { to_numbers<&RunRequest::temperatures>(s, p, 1); }}};
+         "[0, 40]", to<&Scene::running, &RunRequest::temperatures>}};
 }
 
 std::vector<KeySpec> friction()
@@ -591,9 +654,13 @@ std::vector<KeySpec> friction()
          "11.0", to<&Scene::friction, &Friction::viscosity_100>},
         {optional("seal", Q::number, "torque of the seals on the wave generator's shaft, in N m", 0,
                   bounds::largest_torque),
-         "0.02", [](Scene& s, Parameter const& p) { s.friction->seal = number(p) * newton_metre; }, 0.0},
+         "0.02", to_torque<&Scene::friction, &Friction::seal>, 0.0},
         {optional("churning", Q::number, "torque on that shaft for each 1000 rpm, in N m", 0, bounds::largest_torque),
-         "0.004", [](Scene& s, Parameter const& p) { s.friction->churning = number(p) * newton_metre / (1000 * rpm); },
+         "0.004",
+         {[](Scene& s, Parameter const& p) { s.friction->churning = number(p) * newton_metre / (1000 * rpm); },
+          [](Scene const& s) {
+              return s.friction ? give(s.friction->churning, newton_metre / (1000 * rpm)) : std::nullopt;
+          }},
          0.0}};
 }
 
@@ -621,13 +688,11 @@ std::vector<KeySpec> wedm()
                  "stock that each pass leaves, in order; it decreases, and the last pass leaves 0; absent: one pass", 1,
                  bounds::most_passes),
              {"[length]"}),
-         "[0.02, 0.005, 0]",
-         [](Scene& s, Parameter const& p) {
-             for (auto const& row : std::get<NumberRows>(p.value))
-                 s.wedm->stock.push_back(row.front());
-         }},
+         "[0.02, 0.005, 0]", to<&Scene::wedm, &WireRequest::stock>},
         {choice("direction", "whether every second pass runs against the first", {"same", "alternating"}, false),
-         "\"same\"", [](Scene& s, Parameter const& p) { s.wedm->alternating = word(p) == "alternating"; }, "same"},
+         "\"same\"",
+         {[](Scene& s, Parameter const& p) { s.wedm->alternating = word(p) == "alternating"; }},
+         "same"},
         {optional(
              "start", Q::count,
              "tooth space where the path begins: the circular spline's in the middle of the tip land clockwise of it, "

@@ -128,7 +128,7 @@ void store_defaults(Validation& validation, TableSpec const& table)
     for (auto const& key : table.keys) {
         std::string const path = join(table.path, key.spec.key);
         if (key.standard && !validation.attempted.contains(path)) {
-            key.store(reading.scene, {*key.standard, 0});
+            key.member.store(reading.scene, {*key.standard, 0});
             reading.known.insert(path);
         }
     }

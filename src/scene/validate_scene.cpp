@@ -54,7 +54,7 @@ bool take_own_key(Validation& validation, TableSpec const& table, RawEntry const
         return false;
     auto const spec = with_family_names(validation.families, table, key->spec);
     if (auto const parameter = take_value(validation, table, spec, key->example, entry, spelled))
-        key->store(validation.reading.scene, *parameter);
+        key->member.store(validation.reading.scene, *parameter);
     return true;
 }
 

@@ -175,6 +175,8 @@ WireJob::WireJob(Scene const& scene, WireFaces part_faces) : faces(std::move(par
 
 void refuse_wire_faults(Scene const& scene)
 {
+    if (Faults const faults = scene::value_faults(scene); !faults.empty())
+        throw InputError(faults);
     if (Faults faults = check_wedm(scene); !faults.empty())
         throw InputError(faults);
 }

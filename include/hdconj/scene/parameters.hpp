@@ -79,8 +79,8 @@ struct FamilyChoice
 {
     std::string family;
     int line = 0;      ///< of the `family` key
-    std::string path;  ///< table path, "flexspline.profile"
-    std::map<std::string, Parameter, std::less<>> given;
+    std::string path;  ///< table path, "flexspline.profile"; not empty: messages begin with it
+    std::map<std::string, Parameter, std::less<>> given;  ///< by key, in its unit: degrees for keys in _deg
 
     [[nodiscard]] bool has(std::string_view key) const { return given.find(key) != given.end(); }
     /// The number under @p key, or nothing when absent or a word.

@@ -42,6 +42,11 @@ struct SceneReading
 /// exclude each other. Only values in @p reading.known are checked.
 [[nodiscard]] Faults cross_faults(SceneReading const& reading);
 
+/// What is wrong with the values of a scene that was made or changed in code: each against the schema of scene files,
+/// as though it stood in one, then against each other. solve() and the other studies throw an InputError of it. That a
+/// key is missing, and the parameters of families, are checked where they are used.
+[[nodiscard]] Faults value_faults(Scene const& scene);
+
 /// Fills in line and origin of faults that name a key of @p scene but no line, and the value as it was written.
 void locate(Faults& faults, Scene const& scene);
 

@@ -13,12 +13,20 @@
 
 namespace hdconj::scene {
 
+/// Where the value of a key stands in a Scene.
+struct SceneMember
+{
+    void (*store)(Scene&, Parameter const&);  ///< puts a valid value there
+    /// The value there as a scene file would say it; nothing: absent. Null: a family's name, or one of two words.
+    std::optional<ParameterValue> (*read)(Scene const&) = nullptr;
+};
+
 /// One key of a table.
 struct KeySpec
 {
     ParameterSpec spec;
     std::string_view example;                  ///< a good value as it stands in a scene
-    void (*store)(Scene&, Parameter const&);   ///< puts a valid value into the scene
+    SceneMember member;                        ///< that holds the value
     std::optional<ParameterValue> standard{};  ///< value when absent; nothing: required, or absence has a meaning
 };
 

@@ -5,19 +5,26 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "conjugate/plane/solve_plane.hpp"
 #include "contact_context.hpp"
 #include "drive/drive.hpp"
 #include "hdconj/check.hpp"
+#include "hdconj/scene/reading.hpp"
 #include "place_teeth.hpp"
 #include "surface/slice_places.hpp"
 
 namespace hdconj::contact {
 
-/// What contact is asked for where the scene does not say: flanks a micrometre apart touch.
-inline constexpr double standard_gap = 1e-3;  // [mm]
-inline constexpr ContactRequest standard_contact{standard_gap, 200, 0, 0};
+/// Refuses a scene with wrong values, and no planes @p z.
+inline void require_planes(Scene const& scene, std::vector<double> const& z)
+{
+    if (Faults const faults = scene::value_faults(scene); !faults.empty())
+        throw InputError(faults);
+    if (z.empty())
+        throw InputError(Fault{"z", 0, "", "there is no plane", "give the height of a plane in mm, such as 0"});
+}
 
 /// The pair at z = 0 without side clearance: what all surfaces start from.
 [[nodiscard]] inline Scene middle_scene(Scene const& scene)
@@ -74,7 +81,7 @@ struct ContactStudyData
                                        shape,
                                        g,
                                        *maker,
-                                       scene.contact.value_or(standard_contact),
+                                       scene.contact.value_or(ContactRequest()),
                                        threads,
                                        width,
                                        {scene.solver.tolerance, g.r_m + g.w0 + tooth.pitch_line + tooth.addendum},

@@ -11,6 +11,7 @@ namespace hdconj {
 
 std::vector<Pose> flexspline_poses(Scene const& scene, std::vector<double> const& z, double pitches)
 {
+    contact::require_planes(scene, z);
     Scene asked = scene;
     constexpr double any_width = 1;  // of one plane [mm]
     asked.circular_spline.width = z.size() > 1 ? z.back() - z.front() : any_width;

@@ -85,6 +85,7 @@ Scene with_width(Scene scene)
 
 TurningTeeth turning_teeth(Scene const& scene, std::vector<double> const& z, StageObserver const& on_stage)
 {
+    contact::require_planes(scene, z);
     contact::ContactStudyData data(with_width(scene), Verb::contact, on_stage, static_cast<int>(z.size()));
     TurningTeeth turning;
     turning.z = z;

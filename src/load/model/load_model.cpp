@@ -15,8 +15,6 @@
 namespace hdconj::load {
 namespace {
 
-constexpr int standard_harmonics = 100;
-
 /// Weights of the trapezoid rule, the whole width for one slice.
 std::vector<double> slice_widths(std::vector<double> const& z, double width)
 {
@@ -116,7 +114,7 @@ int highest_harmonic(LoadGrid const& resolution, RingGrid const& around)
 LoadGrid load_grid(contact::ContactContext const& context)
 {
     LoadGrid result{std::vector<std::size_t>(context.maker.z().size()), context.scene.bearing->circles,
-                    context.scene.load ? context.scene.load->harmonics : standard_harmonics};
+                    context.scene.load.value_or(LoadRequest()).harmonics};
     std::iota(result.slices.begin(), result.slices.end(), std::size_t{0});
     return result;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "hdconj/contact.hpp"
 #include "hdconj/read_scene.hpp"
 #include "support/catch.hpp"
 
@@ -89,6 +90,12 @@ TEST_CASE("turning teeth: the reverse problem turns the tooth that it solves for
     REQUIRE(teeth.tooth.size() > 100);
     CHECK(teeth.chord > 0);
     CHECK(teeth.tooth.front().x() < 0);
+}
+
+TEST_CASE("teeth are placed in one plane at least", "[turning_teeth]")
+{
+    CHECK_THROWS_AS(turning_teeth(builtin_scene(), {}), InputError);
+    CHECK_THROWS_AS(flexspline_poses(builtin_scene(), {}, 0), InputError);
 }
 
 }  // namespace hdconj::test::turning_teeth_cases
