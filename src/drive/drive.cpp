@@ -100,17 +100,17 @@ void validate_width(Scene const& scene, profile::Profile const& tooth, PairGeome
 namespace {
 
 /// Tips of the flexspline against the bottom of the given tooth spaces, at the major axis.
-void validate_space_depth(profile::Profile const& tooth, PairGeometry const& g, Faults& faults)
+void validate_space_depth(Scene const& scene, profile::Profile const& tooth, PairGeometry const& g, Faults& faults)
 {
     double const bottom = given_tooth_seat(g, tooth) - tooth.pitch_line + tooth.dedendum;
     double const pitch_radius = g.r_m + g.w0 + g.pitch_line;
     if (!(pitch_radius + g.addendum < bottom))
         faults.push_back({"flexspline.addendum", 0, short_number(g.addendum),
                           "the flexspline's tips at " + short_number(pitch_radius + g.addendum) +
-                              " mm would cut into the bottom of the given tooth spaces, which are " +
-                              short_number(bottom) + " mm deep",
-                          "write less than " + short_number(bottom - pitch_radius) +
-                              ", or a larger circular_spline.profile.dedendum"});
+                              " mm would cut into the bottom of the given tooth spaces, at a radius of " +
+                              short_number(bottom) + " mm",
+                          "write less than " + short_number(bottom - pitch_radius) + ", or " +
+                              scene::with_height(*scene.circular_spline.profile, "larger", "dedendum")});
 }
 
 void validate_tip_circle(Scene const& scene, PairGeometry const& g, Faults& faults)
@@ -124,8 +124,8 @@ void validate_tip_circle(Scene const& scene, PairGeometry const& g, Faults& faul
                           "the tips of the given circular-spline teeth at " + short_number(radius) +
                               " mm would cut into the flexspline's rim, which reaches " + short_number(rim) +
                               " mm at the major axis",
-                          "write more than " + short_number(g.dedendum + rim - radius) +
-                              ", or a smaller circular_spline.profile.addendum"});
+                          "write more than " + short_number(g.dedendum + rim - radius) + ", or " +
+                              scene::with_height(*scene.circular_spline.profile, "smaller", "addendum")});
         return;
     }
     if (radius > rim && radius < tip)
@@ -176,7 +176,7 @@ void validate_geometry(Scene const& scene, profile::Profile const& tooth, PairGe
             validate_tip_circle(scene, g, deformed);
             validate_width(scene, tooth, g, scene.is_reverse(), scene.is_reverse() ? deformed : faults);
             if (scene.is_reverse())
-                validate_space_depth(tooth, g, deformed);
+                validate_space_depth(scene, tooth, g, deformed);
         }
         say_likely_cause(scene, g.w0, true, deformed);
         faults.insert(faults.begin(), deformed.begin(), deformed.end());

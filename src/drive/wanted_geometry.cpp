@@ -6,6 +6,7 @@
 #include "base/text.hpp"
 #include "hdconj/check.hpp"
 #include "hdconj/profile/registry.hpp"
+#include "scene/usual_drive.hpp"
 
 namespace hdconj::drive {
 namespace {
@@ -35,13 +36,18 @@ void validate_depth(Scene const& scene, GivenPair const& pair, Faults& faults)
                           "the circular spline's tips would cut into the flexspline's rim on the major axis",
                           "write less than " + short_number(pair.rim_limit) + ", or remove the key"});
     PairGeometry const& g = pair.geometry;
-    double const most = major.value_or(pair.deepest);
+    // a radius that leaves room for far more than the usual displacement is a wrong one
+    constexpr double far = 2;
+    double const most = major.value_or(std::min(pair.deepest, far * scene::usual_deformation(scene.drive)));
     double const reach = g.r_m + most + g.pitch_line + pair.flexspline.addendum;
     if (pair.deepest > 0 && !(reach > *scene.circular_spline.inner_radius))
         faults.push_back({"circular_spline.inner_radius", 0, short_number(*scene.circular_spline.inner_radius),
                           "the flexspline's tips reach a radius of " + short_number(reach) +
                               " mm only, so no tooth enters the circular spline",
-                          "write less than " + short_number(reach)});
+                          "write less than " + short_number(reach) + ", usually " +
+                              short_number(scene.drive.module * scene.drive.circular_spline_teeth / 2 -
+                                           pair.circular_spline.addendum) +
+                              ", the pitch radius less the addendum"});
 }
 
 }  // namespace

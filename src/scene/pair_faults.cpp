@@ -137,8 +137,8 @@ void check_reverse(SceneReading const& reading, Faults& faults)
         scene.circular_spline.root_clearance > 0) {
         add_at(faults, "circular_spline.root_clearance", number_text(scene.circular_spline.root_clearance),
                "the depth of the circular spline's tooth space is told by its given tooth",
-               "write a larger circular_spline.profile.dedendum (or flexspline.dedendum for the other member) and "
-               "remove this key");
+               "write " + with_height(*scene.circular_spline.profile, "larger", "dedendum") +
+                   " (or flexspline.dedendum for the other member) and remove this key");
     }
 }
 

@@ -60,6 +60,12 @@ double usual_tip_radius(Drive const& drive, double addendum, double dedendum, do
         {radius + w0 - addendum, radius + addendum - parting * w0, radius + w0 - dedendum + rim * drive.module});
 }
 
+std::string with_height(FamilyChoice const& tooth, std::string const& change, std::string const& key)
+{
+    return tooth.has(key) ? "a " + change + " " + tooth.path + "." + key
+                          : "a tooth in [" + tooth.path + "] with a " + change + " " + key;
+}
+
 Advice usual_pair(Scene const& scene, std::optional<double> kept)
 {
     Advice advice;

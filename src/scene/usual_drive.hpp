@@ -45,6 +45,9 @@ struct Advice
 /// The same of a tooth with these heights.
 [[nodiscard]] double usual_tip_radius(Drive const& drive, double addendum, double dedendum, double w0);
 
+/// "a larger circular_spline.profile.dedendum", or of a family without that key what its tooth has to be.
+[[nodiscard]] std::string with_height(FamilyChoice const& tooth, std::string const& change, std::string const& key);
+
 /// What makes @p scene a usual drive: two waves for two teeth more, else one more tooth for each wave, and the radial
 /// deformation and tip circle that go with them. @param kept  a radial deformation that stays where it is usual
 [[nodiscard]] Advice usual_pair(Scene const& scene, std::optional<double> kept);

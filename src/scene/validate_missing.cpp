@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/text.hpp"
 #include "validation.hpp"
 
 namespace hdconj::scene {
@@ -57,6 +58,8 @@ void report_given_tooth(Validation& validation)
     auto const inner = visits.find("flexspline.profile");
     auto const outer = visits.find("circular_spline.profile");
     bool const wanted = validation.reading.scene.wants_neutral_curve();
+    bool const sized = validation.reading.known.contains("drive.module");
+    double const module = sized ? validation.reading.scene.drive.module : 0.25;
     if (inner != visits.end() && outer != visits.end() && !wanted) {
         faults.push_back({"circular_spline.profile", outer->second.line, "",
                           "both teeth are given, and each follows from the other",
@@ -73,7 +76,8 @@ void report_given_tooth(Validation& validation)
                 {path, outer->second.line, "",
                  "this key is missing: with [circular_spline.profile] nothing else says how far the flexspline's teeth "
                  "reach",
-                 "write " + key + " = " + (key == "addendum" ? "0.225" : "0.303") + ", a length in mm, in [flexspline]",
+                 "write " + key + " = " + short_number((key == "addendum" ? 0.9 : 1.212) * module, 3) +
+                     ", a length in mm, in [flexspline]",
                  outer->second.origin});
         } else if ((inner != visits.end() || wanted) && attempted) {
             auto const found = validation.reading.scene.given.find(path);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A scene whose neutral curve is wanted: what else it has to say, and what it cannot have.
 #include "base/text.hpp"
+#include "usual_drive.hpp"
 #include "validation.hpp"
 
 namespace hdconj::scene {
@@ -45,10 +46,10 @@ void check_values(SceneReading const& reading, Faults& faults)
                spline.automatic_backlash ? "\"auto\"" : number_text(spline.backlash_offset),
                "the given flanks touch as they are, so no side clearance is looked for or added",
                "remove this key; a given tooth that is thinner has its clearance already");
-    if (spline.root_clearance > 0)
+    if (spline.root_clearance > 0 && spline.profile)
         add_at(faults, "circular_spline.root_clearance", number_text(spline.root_clearance),
                "the depth of the circular spline's tooth space is told by its given tooth",
-               "write a larger circular_spline.profile.dedendum and remove this key");
+               "write " + with_height(*spline.profile, "larger", "dedendum") + " and remove this key");
     if (knows(reading, {"solver.kinematics"}) && scene.solver.kinematics == Kinematics::material)
         add_at(faults, "solver.kinematics", "\"material\"",
                "this model needs the Fourier series of a neutral curve that is known",

@@ -52,7 +52,7 @@ std::vector<BadScene> const& reverse_rows()
         {"tips in the rim", "dedendum = 0.3030", "dedendum = 0.1900", "flexspline.dedendum",
          "cut into the flexspline's rim", "write more than 0.2"},
         {"tips in the bottom", "addendum = 0.2250", "addendum = 0.2950", "flexspline.addendum",
-         "cut into the bottom of the given tooth spaces", "write less than 0.29"},
+         "cut into the bottom of the given tooth spaces, at a radius of", "write less than 0.29"},
         {"tip circle in the rim", "backlash_offset = 0.0", "inner_radius = 24.9", "circular_spline.inner_radius",
          "cut into the flexspline's rim", "between", 0},
         {"tip circle out of reach", "backlash_offset = 0.0", "inner_radius = 26.0", "circular_spline.inner_radius",
@@ -79,6 +79,22 @@ TEST_CASE("wrong reverse scenes are refused", "[scene][reverse]")
         {
             test::check_row(row, test::edited(sound(), row));
         }
+    }
+}
+
+TEST_CASE("heights are advised by the module", "[scene][reverse]")
+{
+    std::string text = sound();
+    for (auto const& [from, to] : {std::pair("module = 0.25", "module = 1.2"), std::pair("addendum = 0.2250", ""),
+                                   std::pair("dedendum = 0.3030", "")})
+        text.replace(text.find(from), std::string_view(from).size(), to);
+    auto const faults = faults_of(text);
+    INFO(describe(faults));
+    for (auto const& [key, value] :
+         {std::pair("addendum", "addendum = 1.08"), std::pair("dedendum", "dedendum = 1.45")}) {
+        auto const* const fault = test::find_fault(faults, std::string("flexspline.") + key);
+        REQUIRE(fault != nullptr);
+        CHECK_THAT(fault->remedy, ContainsSubstring(value));
     }
 }
 

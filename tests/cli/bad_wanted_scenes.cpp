@@ -84,7 +84,7 @@ std::vector<BadScene> const& wrong_pairs()
         {"automatic side clearance", "width = 7.0", "width = 7.0\nbacklash_offset = \"auto\"",
          "circular_spline.backlash_offset", "no side clearance is looked for", "remove this key", 0},
         {"root clearance", "width = 7.0", "width = 7.0\nroot_clearance = 0.02", "circular_spline.root_clearance",
-         "told by its given tooth", "remove this key"},
+         "told by its given tooth", "a tooth in [circular_spline.profile] with a larger dedendum and remove this key"},
         {"slices", "[solver]", "[slices]\ncount = 5\n[solver]", "slices", "in one plane", "remove [slices]"},
         {"coning", "[solver]", "[coning]\nmodel = \"linear\"\nbottom_to_middle = 9.0\n[solver]", "coning",
          "in one plane", "remove [coning]", 0},
@@ -158,6 +158,20 @@ TEST_CASE("wrong keys of a wanted neutral curve are refused", "[scene][wanted]")
 TEST_CASE("wrong pairs around a wanted neutral curve are refused", "[scene][wanted]")
 {
     refused(wrong_pairs());
+}
+
+TEST_CASE("a tip circle out of reach is refused without a displacement too", "[scene][wanted]")
+{
+    std::string text = without("major_displacement", "inner_distance");
+    std::string const radius = "inner_radius = 25.0495388005933";
+    CHECK(test::faults_of(text, scenes).empty());
+    text.replace(text.find(radius), radius.size(), "inner_radius = 60.0");
+    auto const faults = test::faults_of(text, scenes);
+    INFO(describe(faults));
+    REQUIRE(faults.size() == 1);
+    CHECK(faults[0].path == "circular_spline.inner_radius");
+    CHECK_THAT(faults[0].reason, ContainsSubstring("no tooth enters"));
+    CHECK_THAT(faults[0].remedy, ContainsSubstring("usually 25"));
 }
 
 TEST_CASE("a wanted neutral curve needs both teeth", "[scene][wanted]")
