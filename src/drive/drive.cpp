@@ -11,11 +11,31 @@
 #include "fault_advice.hpp"
 #include "hdconj/check.hpp"
 #include "hdconj/profile/registry.hpp"
+#include "hdconj/scene/parameter_fault.hpp"
 #include "hdconj/units.hpp"
 #include "scene/usual_drive.hpp"
 #include "yielding_faults.hpp"
 
 namespace hdconj::drive {
+
+namespace {
+
+/// Lengths of points that no tooth of this module has are in another unit.
+void validate_height(scene::FamilyChoice const& choice, double module, profile::Profile& tooth, Faults& faults)
+{
+    constexpr double highest = 10;  // modules; usual teeth are 2 to 3 high
+    double const height = tooth.addendum + tooth.dedendum;
+    bool const file = choice.has("file");
+    if (!(height > highest * module) || !(file || choice.has("points")))
+        return;
+    faults.push_back(scene::parameter_fault(
+        choice, file ? "file" : "points",
+        "the tooth would be " + short_number(height) + " mm high, " + short_number(height / module, 4) + " modules",
+        file ? "name the unit in the heading, such as x [um],y [um], or write millimetres" : "write millimetres"));
+    tooth = {};
+}
+
+}  // namespace
 
 profile::Profile tooth_of(Scene const& scene, bool outside, Faults& faults)
 {
@@ -29,7 +49,10 @@ profile::Profile tooth_of(Scene const& scene, bool outside, Faults& faults)
                                     outside,
                                     difference,
                                     scene.wave_generator.waves};
-    return profile::build_profile(outside ? *scene.circular_spline.profile : scene.flexspline.profile, place, faults);
+    scene::FamilyChoice const& choice = outside ? *scene.circular_spline.profile : scene.flexspline.profile;
+    profile::Profile tooth = profile::build_profile(choice, place, faults);
+    validate_height(choice, drive.module, tooth, faults);
+    return tooth;
 }
 
 PairGeometry ring_geometry(Scene const& scene, profile::Profile const& tooth)
@@ -168,10 +191,18 @@ void validate_geometry(Scene const& scene, profile::Profile const& tooth, PairGe
                           "write a thinner wall, or more teeth or a larger module"});
     else {
         Faults deformed;  // may follow from the radial deformation
-        if (!(g.r_m > g.w0)) {
-            deformed.push_back({scene.wave_generator.shape.path + ".radial_deformation", 0, short_number(g.w0),
+        scene::FamilyChoice const& shape = scene.wave_generator.shape;
+        std::string const usual = short_number(scene::usual_deformation(scene.drive));
+        if (!(g.r_m > g.w0) && shape.has("file")) {
+            deformed.push_back(scene::parameter_fault(
+                shape, "file",
+                "the radial displacement of " + short_number(g.w0) + " mm is not smaller than the neutral radius " +
+                    short_number(g.r_m) + " mm; usual is " + usual + ", m (z_c - z_f)/2",
+                "name the unit in the heading of the second column, such as angle [deg],w [um]"));
+        } else if (!(g.r_m > g.w0)) {
+            deformed.push_back({shape.path + ".radial_deformation", 0, short_number(g.w0),
                                 "is not smaller than the neutral radius " + short_number(g.r_m) + " mm",
-                                "write " + short_number(scene::usual_deformation(scene.drive)) + ", m (z_c - z_f)/2"});
+                                "write " + usual + ", m (z_c - z_f)/2"});
         } else {
             validate_tip_circle(scene, g, deformed);
             validate_width(scene, tooth, g, scene.is_reverse(), scene.is_reverse() ? deformed : faults);

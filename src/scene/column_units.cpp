@@ -13,10 +13,10 @@ namespace {
 using file::ColumnUnit;
 
 constexpr double inch = 25.4;
-constexpr std::array lengths = {ColumnUnit{"mm", 1},           ColumnUnit{"um", um},        ColumnUnit{"\xc2\xb5m", um},
-                                ColumnUnit{"\xce\xbcm", um},   ColumnUnit{"nm", um / 1000}, ColumnUnit{"cm", 10},
-                                ColumnUnit{"m", 1000},         ColumnUnit{"inch", inch},    ColumnUnit{"in", inch},
-                                ColumnUnit{"mil", inch / 1000}};
+constexpr std::array lengths = {ColumnUnit{"mm", 1},         ColumnUnit{"um", um},      ColumnUnit{"\xc2\xb5m", um},
+                                ColumnUnit{"micron", um},    ColumnUnit{"microns", um}, ColumnUnit{"\xce\xbcm", um},
+                                ColumnUnit{"nm", um / 1000}, ColumnUnit{"cm", 10},      ColumnUnit{"m", 1000},
+                                ColumnUnit{"inch", inch},    ColumnUnit{"in", inch},    ColumnUnit{"mil", inch / 1000}};
 constexpr std::array angles = {ColumnUnit{"deg", 1},           ColumnUnit{"\xc2\xb0", 1},
                                ColumnUnit{"degree", 1},        ColumnUnit{"degrees", 1},
                                ColumnUnit{"arcmin", 1.0 / 60}, ColumnUnit{"arcsec", 1.0 / 3600},

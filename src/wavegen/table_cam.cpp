@@ -158,63 +158,105 @@ std::optional<Gap> long_gap(std::vector<double> const& angles, double wave)
     return longest.length > std::max(part * wave, several * usual) ? std::optional(longest) : std::nullopt;
 }
 
-}  // namespace
-
-TableCam TableCam::build(scene::FamilyChoice const& choice, WaveGeneratorPlace const& place, Faults& faults)
+/// What to do about a table that spans @p length degrees in steps of @p step, more than one wave of @p wave degrees.
+std::string shorter_table(double length, double step, double wave)
 {
-    std::size_t const before = faults.size();
-    scene::NumberPairs const table = scene::read_number_pairs(
-        choice, "file", place.folder, {scene::ColumnQuantity::angle, scene::ColumnQuantity::length},
-        "angle in degrees, radial displacement in mm", faults);
-    if (faults.size() > before)
-        return {};
-    auto const refuse = [&](std::string reason, std::string remedy) {
-        faults.push_back(scene::parameter_fault(choice, "file", std::move(reason), std::move(remedy)));
-        return TableCam{};
+    constexpr double turn = 360, part = 0x1p-4;
+    if (length > turn + step)
+        return "name the unit of the angles in the heading, such as angle [deg], and give one wave";
+    for (double const period : {length, length + step})  // with a closing row, and without
+        if (double const waves = std::round(turn / period); std::abs(turn / waves - period) < part * step)
+            return fmt::format("give one wave, or set waves = {:g}, of which the table holds one wave", waves);
+    return fmt::format("give one wave of {:g} degrees, or a full turn and waves = 1", wave);
+}
+
+/// One wave of a table.
+struct WaveTable
+{
+    std::vector<double> angles, values;  // [rad], [mm]
+};
+
+/// The rows of @p table without the closing one, or a fault where they are not those of one wave of @p wave degrees.
+WaveTable one_wave(scene::NumberPairs const& table, double wave, scene::ParameterFaults const& refuse)
+{
+    auto const refused = [&](std::string reason, std::string remedy) {
+        refuse("file", std::move(reason), std::move(remedy));
+        return WaveTable{};
     };
-    double const wave = 360.0 / place.waves;
-    std::vector<double> angles, values;
+    double const length = table.rows.empty() ? 0 : table.rows.back().value[0] - table.rows.front().value[0];
+    WaveTable own;
+    auto& [angles, values] = own;
     for (scene::NumberPair const& row : table.rows) {
         auto const [angle, value] = row.value;
         std::string const where = "line " + std::to_string(row.line) + " of " + table.file;
         double const radians = from_deg(angle);
         if (!angles.empty() && !(radians > angles.back()))
-            return refuse(where + ": the angle does not increase", "sort the rows by angle and remove repeated angles");
-        constexpr double typed = 1e-9;  // degrees: the closing row may carry its own rounding
+            return refused(where + ": the angle does not increase",
+                           "sort the rows by angle and remove repeated angles");
+        // angles are typed with as many digits as tell rows apart: the closing row may be off by a part of a step
+        constexpr double part = 0x1p-6, typed = 0x1p-30;
         double const span = angles.empty() ? 0 : angle - to_deg(angles.front());
-        if (span > wave + typed)
-            return refuse(where + ": the table is longer than one wave of " + std::to_string(wave) + " degrees",
-                          "give one wave, or set waves = 1");
-        if (span >= wave - typed && span > 0) {
+        double const step = angles.empty() ? 0 : angle - to_deg(angles.back());
+        bool const closes = span > 0 && std::abs(span - wave) <= part * step;
+        if ((span > wave && !closes) || (closes && length > wave + part * step))
+            return refused(fmt::format("{}: the table is longer than one wave of {:g} degrees", where, wave),
+                           shorter_table(length, step, wave));
+        if (closes) {
             double const size = std::max(std::abs(value), std::abs(values.front()));
-            if (std::abs(value - values.front()) > typed * size)
-                return refuse(where + ": the closing row differs from the first one",
-                              "repeat the first value, or leave the closing row out");
+            if (std::abs(value - values.front()) > typed * size + part * std::abs(value - values.back()))
+                return refused(where + ": the closing row differs from the first one",
+                               "repeat the first value, or leave the closing row out");
             continue;
         }
         angles.push_back(radians);
         values.push_back(value);
     }
+    return own;
+}
+
+}  // namespace
+
+TableCam TableCam::build(scene::FamilyChoice const& choice, WaveGeneratorPlace const& place, Faults& faults)
+{
+    scene::ParameterFaults const refuse(choice, faults);
+    scene::NumberPairs const table = scene::read_number_pairs(
+        choice, "file", place.folder, {scene::ColumnQuantity::angle, scene::ColumnQuantity::length},
+        "angle in degrees, radial displacement in mm", faults);
+    if (refuse.any())
+        return {};
+    auto const refused = [&](std::string reason, std::string remedy) {
+        refuse("file", std::move(reason), std::move(remedy));
+        return TableCam{};
+    };
+    double const wave = 360.0 / place.waves;
+    WaveTable const given = one_wave(table, wave, refuse);
+    if (refuse.any())
+        return {};
+    auto const& [angles, values] = given;
     if (angles.size() < fewest)
-        return refuse(
+        return refused(
             table.file + " holds " + std::to_string(angles.size()) + " rows of one wave, a periodic spline needs 4",
             "write at least 4 rows");
     if (auto const gap = long_gap(angles, from_deg(wave)))
-        return refuse(fmt::format("no row lies in the {:.4g} degrees after {:.6g}, of a wave of {:g} degrees",
-                                  to_deg(gap->length), to_deg(gap->from), wave),
-                      "write rows over the whole wave, of a symmetric cam its other half too");
+        return refused(fmt::format("no row lies in the {:.4g} degrees after {:.6g}, of a wave of {:g} degrees",
+                                   to_deg(gap->length), to_deg(gap->from), wave),
+                       std::string(to_deg(angles.back() - angles.front()) < 2 * std::numbers::pi
+                                       ? "write the heading angle [rad],w [mm] if the angles are in radians; else "
+                                       : "") +
+                           "write rows over the whole wave, of a symmetric cam its other half too");
     auto const [low, high] = std::minmax_element(values.begin(), values.end());
     if (!(*high > *low))
-        return refuse("all values are equal: the ring would stay round", "write the radial displacement over one wave");
+        return refused("all values are equal: the ring would stay round",
+                       "write the radial displacement over one wave");
     try {
         TableCam cam(angles, values, place.waves);
         // the solver counts angles from the major axis
         if (!(cam(0).w > 0))
-            return refuse("the displacement at angle 0 is below its mean: angle 0 is not at the major axis",
-                          "count the angle from the major axis");
+            return refused("the displacement at angle 0 is below its mean: angle 0 is not at the major axis",
+                           "count the angle from the major axis");
         return cam;
     } catch (NumericalError const& error) {
-        return refuse(error.what(), "remove rows that are closer than the cam was measured");
+        return refused(error.what(), "remove rows that are closer than the cam was measured");
     }
 }
 

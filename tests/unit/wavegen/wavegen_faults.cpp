@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
 /// Bad parameters of the wave generators: each is refused with its key, the reason and a remedy.
+#include <cmath>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "hdconj/check.hpp"
 #include "hdconj/read_scene.hpp"
 #include "hdconj/solve.hpp"
+#include "hdconj/units.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -74,6 +76,7 @@ struct BadTable
 {
     std::string content;
     std::string reason;
+    std::string remedy = "";
 };
 
 std::vector<BadTable> const tables{
@@ -83,7 +86,13 @@ std::vector<BadTable> const tables{
     {"0,1\n45,0\n90,nan\n135,0\n", "line 3"},
     {"0,1\n45,0\n45,-1\n135,0\n", "does not increase"},
     {"0,1\n90,-1\n45,0\n135,0\n", "does not increase"},
-    {"0,1\n45,0\n90,-1\n135,0\n190,1\n", "longer than one wave of 180"},
+    {"0,1\n45,0\n90,-1\n135,0\n190,1\n", "longer than one wave of 180", "give one wave of 180 degrees"},
+    {"0,1\n45,0\n90,-1\n135,0\n180,1\n225,0\n270,-1\n315,0\n", "longer than one wave of 180 degrees",
+     "waves = 1, of which"},
+    {"angle [rad],w [mm]\n0,1\n45,0\n90,-1\n135,0\n", "longer than one wave of 180", "angle [deg]"},
+    {"0,1\n0.785,0\n1.571,-1\n2.356,0\n", "no row lies", "angle [rad]"},
+    {"0,1\n0.393,0.7\n0.785,0\n1.178,-0.7\n1.571,-1\n", "no row lies", "angle [rad]"},
+    {"angle_deg,w\n0,250\n45,0\n90,-250\n135,0\n", "not smaller than the neutral radius", "[um]"},
     {"0,1\n10,0.9\n20,0.8\n30,0.5\n40,0.2\n", "no row lies in the 140 degrees after 40, of a wave of 180"},
     {"-40,0.2\n-30,0.5\n-20,0.8\n-10,0.9\n0,1\n", "no row lies in the 140 degrees after 0"},
     {"0,1\n45,0\n90,-1\n135,0\n180,0.9\n", "closing row differs"},
@@ -124,6 +133,45 @@ TEST_CASE("bad cam tables are refused with the line", "[wavegen][scene]")
         REQUIRE(faults.size() == 1);
         CHECK_THAT(faults[0].reason, ContainsSubstring(bad.reason));
         CHECK_FALSE(faults[0].remedy.empty());
+        CHECK(faults[0].path == "wave_generator.file");
+        CHECK_THAT(faults[0].remedy, ContainsSubstring(bad.remedy));
+    }
+}
+
+TEST_CASE("a table of another number of waves says so", "[wavegen][scene]")
+{
+    test::TemporaryFolder const folder;
+    std::ofstream(folder / "cam.csv") << "0,0.25\n40,0\n80,-0.25\n120,-0.25\n140,0\n180,0.25\n";
+    Faults const faults =
+        faults_of({family + "table", "!wave_generator.radial_deformation", "wave_generator.waves=3",
+                   "drive.circular_spline_teeth=203", "wave_generator.file=" + (folder / "cam.csv").string()});
+    REQUIRE(faults.size() == 1);
+    CHECK_THAT(faults[0].reason, ContainsSubstring("longer than one wave of 120 degrees"));
+    CHECK_THAT(faults[0].remedy, ContainsSubstring("waves = 2"));
+}
+
+TEST_CASE("the closing row of a table is rounded as its angles are", "[wavegen][scene]")
+{
+    test::TemporaryFolder const folder;
+    auto const cam = [&](int digits, bool closing) {
+        std::ofstream file(folder / "cam.csv");
+        file << std::fixed << "angle [rad],w_microns\n";
+        for (int i = 0; i < (closing ? 37 : 36); ++i) {
+            file.precision(digits);
+            file << from_deg(5 * i);
+            file.precision(9);
+            file << "," << 250 * std::cos(2 * from_deg(5 * i)) << "\n";
+        }
+        file.close();
+        return std::vector<std::string>{family + "table", "!wave_generator.radial_deformation",
+                                        "wave_generator.file=" + (folder / "cam.csv").string()};
+    };
+    for (int const digits : {3, 4, 6}) {
+        INFO(digits << " digits");
+        CHECK(faults_of(cam(digits, true)).empty());
+        double const closed = solve(builtin_scene(cam(digits, true))).geometry.w0;
+        CHECK(closed == solve(builtin_scene(cam(digits, false))).geometry.w0);
+        CHECK(closed == Approx(0.25).epsilon(1e-3));
     }
 }
 
