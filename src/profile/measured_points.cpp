@@ -197,6 +197,9 @@ Profile tooth_through(std::vector<Vec2> points, scene::FamilyChoice const& c, st
                "the points span y = " + short_number(-h_f) + " ... " + short_number(h_a) +
                    " and do not cross the pitch line y = 0",
                "measure y from the pitch line, up towards the tip");
+    auto const [leftmost, rightmost] = std::ranges::minmax_element(points, {}, [](Vec2 const& p) { return p.x(); });
+    bool const mirrored = !(rightmost->x() > 0);
+    std::string const mirror_it = "mirror it: change the sign of each x";
     Vec2 const& left = points.front();
     Vec2 const& right = points.back();
     if (full && !(left.x() < 0 && right.x() > 0 && left.y() < 0 && right.y() < 0))
@@ -204,17 +207,24 @@ Profile tooth_through(std::vector<Vec2> points, scene::FamilyChoice const& c, st
                "a whole tooth begins left of its centre line below the pitch line and ends right of it; this one runs "
                "from " +
                    short_point(left) + " to " + short_point(right),
-               "give both flanks from the left root over the tip to the right root, or set side = \"right\"");
+               mirrored            ? mirror_it + ", and set side = \"right\""
+               : leftmost->x() < 0 ? "give both flanks in order, from the left root over the tip to the right root"
+                                   : "give the left flank too, or set side = \"right\"");
     if (!full && points.front().x() < 0)
         refuse(key, "the tip of the right flank is left of the tooth's centre line x = 0",
-               "give the right flank with x >= 0, or set side = \"full\"");
+               mirrored ? "this is a left flank: " + mirror_it
+                        : "give the right flank with x >= 0, or, of a whole tooth, set side = \"full\"");
     if (refuse.any())
         return {};
     FlankSegment const segment = curve_segment(full ? "tooth" : "flank", spline_through(points));
+    double top = h_a;
     if (full)
-        return whole_tooth({segment}, place, h_a, h_f, false);
-    validate_flank({segment}, c, key, faults);
-    return refuse.any() ? Profile{} : symmetric_tooth({segment}, place, h_a, h_f);
+        top = validate_whole_tooth(segment, h_a, -h_f, c, key, faults);
+    else
+        validate_flank({segment}, c, key, faults);
+    if (refuse.any())
+        return {};
+    return full ? whole_tooth({segment}, place, top, h_f, false) : symmetric_tooth({segment}, place, h_a, h_f);
 }
 
 /// Cubic spline with continuous curvature and not-a-knot ends through the points of a CSV file, parameter = chord
@@ -223,7 +233,8 @@ Profile tooth_through(std::vector<Vec2> points, scene::FamilyChoice const& c, st
 /// The file has two columns x,y in mm, y from the pitch line, '#' starts a comment, one header line is allowed.
 /// side = "right" (default): the right flank between tip and root, mirrored; "full": the whole tooth from left root to
 /// right root. Accuracy: passes through every point to roundoff; between points O(h^4) for data from a smooth curve.
-/// Domain: 4 to 10 000 points, no two neighbours equal. The addendum and dedendum are the largest and smallest y.
+/// Domain: 4 to 10 000 points, no two neighbours equal. The addendum and dedendum are the largest and smallest y; the
+/// addendum of a whole tooth is the height of its curve.
 Profile points_tooth(scene::FamilyChoice const& c, ToothPlace const& place, Faults& faults)
 {
     std::vector<Vec2> points = read_points(c, place.folder, faults);
@@ -234,8 +245,8 @@ Profile points_tooth(scene::FamilyChoice const& c, ToothPlace const& place, Faul
 /// points of the scene.
 ///
 /// side = "right" (default): the right flank between tip and root, mirrored; "full": the whole tooth from left root to
-/// right root. The addendum and dedendum are the largest and smallest y. Accuracy: passes through every point to
-/// roundoff. Refused: neighbours on each other, flanks that cross themselves or the centre line.
+/// right root. Addendum and dedendum are those of "points". Accuracy: passes through every point to roundoff. Refused:
+/// neighbours on each other, curves that cross themselves, flanks that cross the centre line.
 Profile b_spline_tooth(scene::FamilyChoice const& c, ToothPlace const& place, Faults& faults)
 {
     std::vector<Vec2> points;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a flank that a user composed freely is one side of a tooth.
+// Whether a curve that a user composed freely is one side of a tooth, or a whole one.
 #pragma once
 
 #include <string>
@@ -20,6 +20,13 @@ namespace hdconj::profile {
 /// @param right_flank  from tip to root, y from the pitch line
 void validate_flank(std::vector<FlankSegment> const& right_flank, scene::FamilyChoice const& choice,
                     std::string_view key, Faults& faults);
+
+/// The same of a whole tooth, from left root to right root through points between @p bottom and @p top: refused are a
+/// curve without a tangent, one that leaves the heights of its points by more than a 64th of the height, ends whose
+/// heights differ by more than a 16th, and a crossing.
+/// @return the height of the curve, which may rise a little above @p top between points
+double validate_whole_tooth(FlankSegment const& tooth, double top, double bottom, scene::FamilyChoice const& choice,
+                            std::string_view key, Faults& faults);
 
 /// "(0.1, -0.2)" of a point for messages.
 [[nodiscard]] std::string short_point(Vec2 const& p);

@@ -9,6 +9,11 @@ std::vector<BadFamily> const& bad_families()
     std::string const points = tooth + ".points";
     std::string const pieces = tooth + ".pieces";
     std::string const bezier_points = "points = [[0.06, 0.2], [0.15, 0.12], [0.17, -0.04], [0.29, -0.28]]";
+    std::string const right_flank = "family = \"b-spline\"\npoints = [";
+    std::string const whole_tooth = "family = \"b-spline\"\nside = \"full\"\npoints = [";
+    std::string const left_root = "[-0.290, -0.280], [-0.232, -0.170], ";
+    std::string const left_tip = "[-0.152, 0.060], [-0.120, 0.130], [-0.070, 0.200], ";
+    std::string const land = "[-0.035, 0.2], [0.0, 0.2], [0.035, 0.2], ";
     static std::vector<BadFamily> const rows{
         // straight
         {"straight",
@@ -210,6 +215,27 @@ std::vector<BadFamily> const& bad_families()
         {"b-spline",
          {"b-spline: left of the centre line", "[0.070, 0.200]", "[-0.070, 0.200]", points,
           "left of the tooth's centre line", "side = \"full\""}},
+        {"b-spline",
+         {"b-spline: one flank for a whole tooth", right_flank, whole_tooth, points, "begins left of its centre line",
+          "give the left flank too"}},
+        {"b-spline",
+         {"b-spline: whole tooth without its land", right_flank,
+          whole_tooth + left_root + "[-0.196, -0.080], [-0.172, 0.000], " + left_tip, points,
+          "above the highest of the points at y = 0.2", "points along the tip"}},
+        {"b-spline",
+         {"b-spline: whole tooth with exchanged points", right_flank,
+          whole_tooth + left_root + "[-0.172, 0.000], [-0.196, -0.080], " + left_tip + land, points, "crosses itself",
+          "in order from the left root"}},
+        {"b-spline",
+         {"b-spline: whole tooth with unequal roots", right_flank,
+          whole_tooth + "[-0.196, -0.080], [-0.172, 0.000], " + left_tip + land, points,
+          "the left flank ends at height -0.08, the right one at -0.28", "down to the same height"}},
+        {"b-spline",
+         {"b-spline: shuffled points", "[0.152, 0.060],\n  [0.172, 0.000]", "[0.172, 0.000],\n  [0.152, 0.060]", points,
+          "crosses itself", "in order from tip to root"}},
+        {"b-spline",
+         {"b-spline: a tooth of many modules", "[0.290, -0.280]", "[0.290, -4.0]", points, "16.8 modules",
+          "write millimetres"}},
         {"b-spline",
          {"b-spline: family misspelt", "family = \"b-spline\"", "family = \"bspline\"", tooth + ".family",
           "unknown word", "\"b-spline\""}},
