@@ -37,16 +37,25 @@ struct Wire
     double residual_limit = 0.01;  // [mm], the default of the key
 };
 
-/// Height of the material that a wire with the centre @p reach from the part leaves in a corner of the space of the
-/// length @p length, where the outline turns from @p in to @p out: (reach - rho) (1/cos(a/2) - 1) for a turn by a and a
-/// mean radius rho = length/a. An upper bound where a side is short [mm].
-double left_in_corner(Vec2 const& in, Vec2 const& out, double length, double reach)
+/// A corner of the space, where the outline turns from one direction to another over a length.
+struct Corner
 {
-    double const turn = std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
-    if (!(turn < 0))  // the corner of a tooth
-        return 0;
-    return std::max(0.0, reach + length / turn) * (1 / std::cos(turn / 2) - 1);
-}
+    Corner(Vec2 const& in, Vec2 const& out, double length)
+    {
+        double const turn = std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
+        if (!(turn < 0))  // the corner of a tooth
+            return;
+        radius = -length / turn;
+        height_per_reach = 1 / std::cos(turn / 2) - 1;
+    }
+    /// Height of the material that a wire with the centre @p reach from the part leaves: (reach - rho) (1/cos(a/2) - 1)
+    /// for a turn by a and a mean radius rho = length/a. An upper bound where a side is short [mm].
+    [[nodiscard]] double left_by(double reach) const { return std::max(0.0, reach - radius) * height_per_reach; }
+    /// The reach that leaves the height @p left [mm].
+    [[nodiscard]] double reach_of(double left) const { return radius + left / height_per_reach; }
+
+    double radius = 0, height_per_reach = 0;
+};
 
 }  // namespace
 
@@ -56,7 +65,7 @@ std::optional<Note> sharp_corner(Solution const& solution)
         return std::nullopt;
     Wire const wire(solution.scene);
     std::vector<Vec2> const& points = solution.circular_spline.outline.front();
-    double highest = 0;
+    double highest = 0, reach = wire.reach();
     Vec2 where = Vec2::Zero();
     auto const look = [&](std::size_t first, std::size_t last) {
         if (first == 0 || last + 1 >= points.size())
@@ -64,8 +73,10 @@ std::optional<Note> sharp_corner(Solution const& solution)
         double length = 0;
         for (std::size_t i = first; i < last; ++i)
             length += (points[i + 1] - points[i]).norm();
-        double const height =
-            left_in_corner(points[first] - points[first - 1], points[last + 1] - points[last], length, wire.reach());
+        Corner const corner(points[first] - points[first - 1], points[last + 1] - points[last], length);
+        double const height = corner.left_by(wire.reach());
+        if (height > 0)
+            reach = std::min(reach, corner.reach_of(wire.residual_limit));
         if (height > highest) {
             highest = height;
             where = points[last];
@@ -83,8 +94,10 @@ std::optional<Note> sharp_corner(Solution const& solution)
         "corner of the tooth space near (" + short_number(where.x(), 4) + ", " + short_number(where.y(), 6) + ") mm";
     note->cause = wire.name() + " leaves up to " + short_number(highest * per_um, 2) +
                   " um there, where a corner of the flexspline's tip passes";
-    std::string const depth = short_number(1.2 * highest, 2);
-    note->advice = "write circular_spline.root_clearance = " + depth + ", or round the tip's corner";
+    double const thinner = std::floor(2 * (reach - wire.gap) * 1000) / 1000;  // wires are sold in um
+    note->advice = "take a thinner wire" + (thinner > 0 ? ", of at most " + short_number(thinner) + " mm," : "") +
+                   " or round the tip's corner; a larger circular_spline.root_clearance moves the corner away from the "
+                   "teeth, but leaves it sharp";
     return note;
 }
 

@@ -306,6 +306,23 @@ TEST_CASE("a wire that is too thick is named with the corner and the space", "[j
     CHECK_THAT(corner->cause, ContainsSubstring("the wire of [wedm] leaves up to"));
     CHECK_THAT(space->cause, ContainsSubstring("a slot of 1.52 mm"));
     CHECK(space->figure < 1);
+    // a root clearance leaves the corner sharp, a wire as thin as advised does not
+    for (std::string const clearance : {"0", "0.1"}) {
+        Keys keys = wire;
+        keys.push_back("circular_spline.root_clearance=" + clearance);
+        auto const there = note_of(solve(printed(keys)).judgement, NoteCode::sharp_corner);
+        REQUIRE(there);
+        INFO(there->advice);
+        CHECK_THAT(there->advice, !ContainsSubstring("root_clearance = "));
+        std::string const before = "of at most ";
+        std::size_t const at = there->advice.find(before);
+        REQUIRE(at != std::string::npos);
+        double const thin = std::stod(there->advice.substr(at + before.size()));
+        keys.front() = "wedm.wire_diameter=" + std::to_string(thin);
+        CHECK_FALSE(note_of(solve(printed(keys)).judgement, NoteCode::sharp_corner));
+        keys.front() = "wedm.wire_diameter=" + std::to_string(1.1 * thin);
+        CHECK(note_of(solve(printed(keys)).judgement, NoteCode::sharp_corner));
+    }
 }
 
 TEST_CASE("advice is not what the scene has", "[judgement]")
