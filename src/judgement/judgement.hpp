@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "hdconj/error.hpp"
 #include "hdconj/profile/profile.hpp"
@@ -41,6 +42,13 @@ struct UnsolvedPair
 
 /// Puts what judge() says of late mesh in @p scene in the place of what @p notes say of it.
 void judge_late_mesh_again(Notes& notes, Scene const& scene);
+
+/// Where several of @p notes write the tip circle, each writes the largest of them.
+void agree_on_tip_circle(Notes& notes);
+
+/// Where @p set writes a smaller tip circle than @p wanted does, that of @p wanted takes its place there and in @p
+/// words.
+void raise_tip_circle(std::vector<std::string> const& wanted, std::string& words, std::vector<std::string>& set);
 
 /// @p error, which solving @p pair ended with, and first of all what is far from usual in the pair and can be written
 /// otherwise.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -19,24 +20,66 @@ double closer_by_tilt(Scene const& scene)
     return tilts ? std::abs(std::tan(scene.tilt->angle)) * scene.circular_spline.width.value_or(0) / 2 : 0;
 }
 
-/// How far the tips stand outside the tip circle, where that is smallest, at the share @p s of a lobe's half [mm].
-double overlap(UnsolvedPair const& pair, double s)
+/// How far the tips stand outside the tip circle at the angle @p u, where that is smallest [mm].
+double overlap(UnsolvedPair const& pair, double u)
 {
     PairGeometry const& g = pair.geometry;
-    double const u = std::numbers::pi / pair.shape.waves() * s;
     return g.r_m + pair.shape(u).w + g.pitch_line + g.addendum - g.circular_spline_inner_radius +
            closer_by_tilt(pair.scene);
 }
 
-/// The largest share of a lobe's half at which the tips stand outside the tip circle.
-double leaving_share(UnsolvedPair const& pair)
+/// The lobe that reaches furthest out: its major axis, half-way between the minor axes on either side. [rad]
+struct Lobe
+{
+    double major = 0, half = 0;
+
+    explicit Lobe(wavegen::AnyWaveShape const& shape)
+    {
+        constexpr int steps = 1024;  // a period; both axes of an even shape are among them
+        double const step = 2 * std::numbers::pi / shape.waves() / steps;
+        std::array<double, steps> w{};
+        for (int i = 0; i < steps; ++i)
+            w[static_cast<std::size_t>(i)] = shape(i * step).w;
+        auto const [low, high] = std::ranges::minmax_element(w);
+        int const top = static_cast<int>(high - w.begin());
+        // a rise by half of the whole ends a lobe; waviness and the hollow between two rollers do not
+        double const rise = (*high - *low) / 2;
+        auto const minor = [&, highest = *high](int direction) {
+            double lowest = highest;
+            int where = 0;
+            for (int i = 1; i < steps; ++i) {
+                double const here = w[static_cast<std::size_t>((top + direction * i + steps) % steps)];
+                if (here > lowest + rise)
+                    break;
+                if (here < lowest) {
+                    lowest = here;
+                    where = i;
+                }
+            }
+            return (top + direction * where) * step;
+        };
+        double const before = minor(-1), after = minor(1);
+        major = (before + after) / 2;
+        half = (after - before) / 2;
+    }
+};
+
+/// How far the tips stand outside the tip circle at the share @p s of the way to a minor axis, on the side where that
+/// is more [mm].
+double overlap(UnsolvedPair const& pair, Lobe const& lobe, double s)
+{
+    return std::max(overlap(pair, lobe.major - s * lobe.half), overlap(pair, lobe.major + s * lobe.half));
+}
+
+/// The largest share of the way to a minor axis at which the tips stand outside the tip circle.
+double leaving_share(UnsolvedPair const& pair, Lobe const& lobe)
 {
     constexpr int steps = 256;
-    double after = overlap(pair, 1);
+    double after = overlap(pair, lobe, 1);
     if (after > 0)
         return 1;
     for (int i = steps - 1; i >= 0; --i) {
-        double const share = static_cast<double>(i) / steps, here = overlap(pair, share);
+        double const share = static_cast<double>(i) / steps, here = overlap(pair, lobe, share);
         if (here > 0)
             return share + here / (here - after) / steps;
         after = here;
@@ -44,27 +87,39 @@ double leaving_share(UnsolvedPair const& pair)
     return 0;
 }
 
+/// What the tip circle has to grow by for the tips to leave it at the share @p s and stay inside from there on [mm].
+double growth_to_leave(UnsolvedPair const& pair, Lobe const& lobe, double s)
+{
+    constexpr int steps = 32;
+    double growth = overlap(pair, lobe, 1);
+    for (int i = 0; i < steps; ++i)
+        growth = std::max(growth, overlap(pair, lobe, s + (1 - s) * i / steps));
+    return growth;
+}
+
 }  // namespace
 
 std::optional<Note> late_mesh(UnsolvedPair const& pair)
 {
-    double const share = leaving_share(pair);
+    Lobe const lobe(pair.shape);
+    double const share = leaving_share(pair, lobe);
     auto note = note_on(NoteCode::late_mesh, share);
     if (!note)
         return note;
     PairGeometry const& g = pair.geometry;
-    double const lobe = to_deg(std::numbers::pi / pair.shape.waves());
     note->place = "circular_spline.inner_radius";
-    note->cause = share < 1 ? "the tips leave the tip circle at " + short_number(share * lobe, 3) +
-                                  " degrees from the major axis, of " + short_number(lobe) + " to the minor axis"
-                            : "the tips never leave the tip circle: at the minor axis they overlap by " +
-                                  short_number(overlap(pair, 1), 3) + " mm";
+    note->cause = share < 1
+                      ? "the tips leave the tip circle at " + short_number(share * to_deg(lobe.half), 3) +
+                            " degrees from the major axis, of " + short_number(to_deg(lobe.half)) + " to the minor axis"
+                      : "the tips never leave the tip circle: at the minor axis they overlap by " +
+                            short_number(overlap(pair, lobe, 1), 3) + " mm";
     double const closer = closer_by_tilt(pair.scene);
     if (closer > 0)
         note->cause += "; the tilt makes the tip circle of one end " + short_number(closer, 3) + " mm smaller";
     // where they would leave it within the usual range
-    double const wanted = std::max(g.circular_spline_inner_radius + overlap(pair, limit_of(note->code).usual.high),
-                                   scene::usual_tip_radius(pair.scene, g.w0).value_or(0) + closer);
+    double const wanted =
+        std::max(g.circular_spline_inner_radius + growth_to_leave(pair, lobe, limit_of(note->code).usual.high),
+                 scene::usual_tip_radius(pair.scene, g.w0).value_or(0) + closer);
     std::string const radius = short_number(wanted + 0.01 * pair.scene.drive.module, 6);
     if (pair.scene.is_reverse()) {
         note->advice = "write a smaller flexspline.addendum";

@@ -10,9 +10,12 @@
 namespace hdconj::judgement {
 namespace {
 
-/// What is far from usual in @p pair and can be written otherwise: causes in words, and the advice.
-std::pair<std::string, scene::Advice> likely_cause(UnsolvedPair const& pair)
+/// What is far from usual in @p pair, which ended with @p error, and can be written otherwise: causes in words, and the
+/// advice.
+std::pair<std::string, scene::Advice> likely_cause(NumericalError const& error, UnsolvedPair const& pair)
 {
+    // of a space that would be too flat no tip circle is known that leaves a land
+    bool const any_tip_circle = error.code() != ErrorCode::no_land || !error.set().empty();
     std::string cause;
     scene::Advice advice;
     bool deformed = false;
@@ -22,7 +25,7 @@ std::pair<std::string, scene::Advice> likely_cause(UnsolvedPair const& pair)
             continue;
         // tip circle and stress come with the deformation
         bool const said = std::find(advice.set.begin(), advice.set.end(), note.set.front()) != advice.set.end();
-        if (said || (deformed && note.code == NoteCode::late_mesh))
+        if (said || (note.code == NoteCode::late_mesh && (deformed || !any_tip_circle)))
             continue;
         deformed = deformed || note.code == NoteCode::deformation;
         cause += note.cause + "; ";
@@ -51,11 +54,12 @@ NumericalError with_likely_cause(NumericalError const& error, UnsolvedPair const
 {
     if (!error.is_infeasible())
         return error;
-    auto [cause, advice] = likely_cause(pair);
+    auto [cause, advice] = likely_cause(error, pair);
     if (advice.set.empty())
         advice = with_deformation(error, pair);
     else {
         cause = "likely because " + cause;
+        raise_tip_circle(error.set(), advice.words, advice.set);
         advice.words += error.remedy().empty() ? "" : "; or " + error.remedy();
     }
     scene::Advice flank;

@@ -228,6 +228,69 @@ TEST_CASE("tips leave the tip circle where the cam says", "[judgement]")
     CHECK_FALSE(note_of(judge(printed(note->set)), NoteCode::late_mesh));
 }
 
+TEST_CASE("a cam that is turned, or has two lobes in a table of a turn, leaves the tip circle as before", "[judgement]")
+{
+    TemporaryFolder const folder;
+    auto const tabled = [&](double major_deg, int waves, std::string const& radius) {
+        std::ofstream file(folder / "cam.csv");
+        file.precision(12);
+        for (int i = 0; i < 360 / waves; i += 5)
+            file << i << "," << std::cos(2 * from_deg(i - major_deg)) << "\n";
+        file.close();
+        return printed({"!wave_generator.radial_deformation", "wave_generator.family=table",
+                        "wave_generator.file=" + (folder / "cam.csv").string(),
+                        "wave_generator.waves=" + std::to_string(waves), "circular_spline.inner_radius=" + radius});
+    };
+    for (auto const& [major, waves] : {std::pair(0.0, 2), std::pair(44.0, 2), std::pair(-31.0, 2), std::pair(0.0, 1)}) {
+        INFO(major << " degrees, " << waves << " waves");
+        CHECK_FALSE(note_of(judge(tabled(major, waves, "30")), NoteCode::late_mesh));
+        auto const note = note_of(judge(tabled(major, waves, "29.82")), NoteCode::late_mesh);
+        REQUIRE(note);
+        CHECK(note->figure == Approx(std::acos(29.82 - 30.8) / std::numbers::pi).epsilon(5e-3));
+        REQUIRE(note->set.size() == 1);
+        std::string const radius = note->set.front().substr(note->set.front().find('=') + 1);
+        CHECK_FALSE(note_of(judge(tabled(major, waves, radius)), NoteCode::late_mesh));
+    }
+}
+
+TEST_CASE("notes that write the tip circle write the same one", "[judgement]")
+{
+    Note smaller, larger;
+    smaller.advice = "write circular_spline.inner_radius = 24.2007, or a smaller addendum";
+    smaller.set = {"circular_spline.inner_radius=24.2007"};
+    larger.advice = "write circular_spline.inner_radius = 24.2058";
+    larger.set = {"circular_spline.inner_radius=24.2058"};
+    Notes notes{smaller, larger};
+    judgement::agree_on_tip_circle(notes);
+    CHECK(notes[0].set == larger.set);
+    CHECK(notes[0].advice == "write circular_spline.inner_radius = 24.2058, or a smaller addendum");
+    CHECK(notes[1].advice == larger.advice);
+}
+
+TEST_CASE("a tip circle that leaves no land is not advised", "[judgement]")
+{
+    auto const failure = [](Keys const& keys) {
+        try {
+            (void)solve(printed(keys));
+        } catch (NumericalError const& error) {
+            return error;
+        }
+        throw std::logic_error("it was solved");
+    };
+    // of late mesh alone 30.2, and the teeth sweep more
+    Keys keys{"flexspline.profile.thickness=1.95", "flexspline.profile.pressure_angle_deg=20",
+              "flexspline.profile.addendum=0.95", "flexspline.profile.dedendum=1.375",
+              "wave_generator.radial_deformation=0.95"};
+    keys.emplace_back("circular_spline.inner_radius=30");
+    NumericalError const swept = failure(keys);
+    INFO(swept.what());
+    CHECK(swept.code() == ErrorCode::no_land);
+    REQUIRE_FALSE(swept.set().empty());
+    keys.back() = swept.set().front();
+    CHECK_THAT(swept.remedy(), ContainsSubstring("inner_radius = " + keys.back().substr(keys.back().find('=') + 1)));
+    CHECK_NOTHROW(solve(printed(keys)));
+}
+
 TEST_CASE("a tilt that makes the tip circle of one end too small is a warning", "[judgement]")
 {
     auto const tilted = [](std::string const& degrees) {
