@@ -102,7 +102,7 @@ Output<StoredAccuracy> page_output(std::string const& page)
 /// Studies of a scene that are to be measured.
 Work<StoredAccuracy> measurement(CommonOptions const& common, AccuracyArguments const& own)
 {
-    scene::SceneReading reading = examine(common);
+    scene::SceneReading reading = examine_drive(common);
     sort_by_place(reading.faults);
     Faults faults = std::move(reading.faults);
     Scene const scene = std::move(reading.scene);

@@ -82,7 +82,7 @@ int run_contact(CommonOptions const& common, ContactArguments const& own)
     if (own.ring && own.xdmf.empty() && own.stl.empty() && own.vtk.empty())
         throw InputError(Fault{"--ring", 0, "", "no surface file is asked for that could hold the whole ring",
                                "write --xdmf, --stl or --vtk with a file name, or leave --ring out"});
-    Scene const scene = load_scene(common);
+    Scene const scene = load_drive(common);
     ContactOptions const options = options_of(own);
     refuse(check_contact(scene, options));
     Work<ContactStudy> work;

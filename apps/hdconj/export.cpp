@@ -48,7 +48,7 @@ int run_export(CommonOptions const& common, ExportArguments const& own)
                                "with few contact points CalculiX may end in a state in which some still change between "
                                "open and closed",
                                "write --steps 24, or at least " + std::to_string(fewest_contact_steps)});
-    Scene const scene = loaded_scene(load_scene(common));
+    Scene const scene = loaded_scene(load_drive(common));
     if (own.contact && scene.bearing)
         refuse_contact(*scene.bearing);
     using Cup = decltype(elastic_cup(scene));

@@ -83,7 +83,7 @@ int run_inspect(CommonOptions const& given, InspectArguments const& asked)
     if (own.points.empty())
         throw InputError(
             Fault{"POINTS", 0, "", "no file of measured points is given", "write hdconj inspect SCENE POINTS"});
-    auto const reading = examine(common);
+    auto const reading = examine_drive(common);
     Faults faults = reading.faults;
     sort_by_place(faults);
     auto measured = examine_points(own.points);

@@ -102,7 +102,7 @@ std::optional<Measurement> measurement_of(LoadArguments const& own, Scene const&
 
 int run_load(CommonOptions const& common, LoadArguments const& own)
 {
-    auto const reading = examine(common);
+    auto const reading = examine_drive(common);
     Scene const& scene = reading.scene;
     LoadOptions options = options_of(own);
     options.stop = is_stopped;

@@ -71,7 +71,7 @@ std::vector<Source> sources_of(CommonOptions common, ReportArguments const& own,
                 inputs.push_back({name, "this is a result file that the page shows"});
                 sources.emplace_back(read_drive(name));
             } else {
-                sources.emplace_back(NamedScene{load_scene(common), scene_name(common)});
+                sources.emplace_back(NamedScene{load_drive(common), scene_name(common)});
                 append(inputs, inputs_of(common, scene_of(sources.back())));
             }
             refuse(check_report(scene_of(sources.back())));

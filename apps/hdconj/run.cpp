@@ -42,7 +42,7 @@ void add_run_files(Work<RunStudy>& work, CommonOptions const& common, RunArgumen
 
 int run_run(CommonOptions const& common, RunArguments const& own)
 {
-    auto const reading = examine(common);
+    auto const reading = examine_drive(common);
     Scene const& scene = reading.scene;
     RunOptions options;
     if (own.torque_nm)

@@ -7,6 +7,7 @@
 #include "hdconj/error.hpp"
 #include "hdconj/read_scene.hpp"
 #include "hdconj/scene/schema.hpp"
+#include "hdconj/wavegen/registry.hpp"
 
 namespace hdconj::cli {
 namespace {
@@ -63,12 +64,35 @@ scene::SceneReading examine(CommonOptions const& common)
     return reading;
 }
 
-Scene load_scene(CommonOptions const& common)
+scene::SceneReading examine_drive(CommonOptions const& common)
 {
     auto reading = examine(common);
+    if (reading.scene.wants_neutral_curve()) {
+        reading.faults.clear();
+        static_cast<void>(wavegen::build_wave_shape(reading.scene.wave_generator.shape, {}, reading.faults));
+    }
+    return reading;
+}
+
+namespace {
+
+Scene scene_of(scene::SceneReading reading)
+{
     sort_by_place(reading.faults);
     refuse(std::move(reading.faults));
     return std::move(reading.scene);
+}
+
+}  // namespace
+
+Scene load_scene(CommonOptions const& common)
+{
+    return scene_of(examine(common));
+}
+
+Scene load_drive(CommonOptions const& common)
+{
+    return scene_of(examine_drive(common));
 }
 
 std::string scene_name(CommonOptions const& common)

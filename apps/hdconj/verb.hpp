@@ -82,9 +82,15 @@ void add_strict(CLI::App& verb, CommonOptions& common);
 /// geometry (check_scene).
 [[nodiscard]] scene::SceneReading examine(CommonOptions const& common);
 
-/// The same for a verb that computes.
+/// The same for a verb that needs a known neutral curve: where it is wanted, that is the only fault.
+[[nodiscard]] scene::SceneReading examine_drive(CommonOptions const& common);
+
+/// What examine() reads, for a verb that computes.
 /// @throws InputError with every fault, effects that this version does not compute among them
 [[nodiscard]] Scene load_scene(CommonOptions const& common);
+
+/// The same of examine_drive().
+[[nodiscard]] Scene load_drive(CommonOptions const& common);
 
 /// How messages call the scene of @p common: its file name, "standard input" or "the built-in scene".
 [[nodiscard]] std::string scene_name(CommonOptions const& common);

@@ -99,7 +99,7 @@ WireInput stored(CommonOptions const& common, WireArguments const& own)
 WireInput input_for(CommonOptions const& common, WireArguments const& own)
 {
     CommonOptions const all = with_keys(common, own);
-    WireInput input = own.from.empty() ? WireInput{load_scene(all), {}, {}} : stored(all, own);
+    WireInput input = own.from.empty() ? WireInput{load_drive(all), {}, {}} : stored(all, own);
     Faults faults = check_wedm(input.scene);
     if (faults.empty() && own.dialects.empty())
         faults = check_named_dialects(input.scene);

@@ -161,9 +161,12 @@ TEST_CASE("options of one problem have no place in the other", "[program][wanted
     auto const cam = hdconj_run("solve --cam cam.csv", folder.path());
     CHECK(cam.status == 2);
     CHECK(contains(cam.err, "wanted"));
-    for (char const* const verb : {"contact ", "accuracy "}) {
-        auto const other = hdconj_run(verb + quoted, folder.path());
+    std::string const narrow = quoted + "--set '!circular_spline.width' ";
+    for (std::string const verb : {"contact", "load", "run", "wedm", "report", "export --vtu a.vtu", "accuracy"}) {
+        auto const other = hdconj_run(verb + " " + narrow, folder.path());
+        INFO(verb << ": " << other.err);
         CHECK(other.status == 2);
+        CHECK(contains(other.err, "1 fault"));
         CHECK(contains(other.err, "only solve and check take such a scene"));
     }
 }
