@@ -136,7 +136,7 @@ void note_reference(StudyRun const& bench, CountSeries const& series, SolvedLoad
 
 void run_load_series(StudyRun const& bench, Scene const& scene)
 {
-    Counts const standard = bench.quick ? Counts{24, 3, 24, 1} : Counts{100, 9, 100, 13};
+    Counts const standard = bench.quick ? Counts{24, 3, 24, 2} : Counts{100, 9, 100, 13};
     std::optional<SolvedLoad> at_standard;
     for (CountSeries const& series : load_series(bench, standard)) {
         auto const counts = [&](int value) {

@@ -48,7 +48,7 @@ void judge_late_mesh_again(Notes& notes, Scene const& scene)
 void raise_tip_circle(std::vector<std::string> const& wanted, std::string& words, std::vector<std::string>& set)
 {
     constexpr std::string_view key = "circular_spline.inner_radius=";
-    auto const writes_it = [](std::string const& setting) { return setting.starts_with(key); };
+    auto const writes_it = [&](std::string const& setting) { return setting.starts_with(key); };
     auto const from = std::ranges::find_if(wanted, writes_it);
     auto const to = std::ranges::find_if(set, writes_it);
     if (from == wanted.end() || to == set.end())

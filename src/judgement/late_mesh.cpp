@@ -35,7 +35,7 @@ struct Lobe
 
     explicit Lobe(wavegen::AnyWaveShape const& shape)
     {
-        constexpr int steps = 1024;  // a period; both axes of an even shape are among them
+        constexpr int steps = 256;  // a period; both axes of an even shape are among them
         double const step = 2 * std::numbers::pi / shape.waves() / steps;
         std::array<double, steps> w{};
         for (int i = 0; i < steps; ++i)
