@@ -77,7 +77,9 @@ struct WantedCurve
 /// Domain: scenes for which check_wanted_scene() finds no fault. Teeth that touch on the major axis determine the curve
 /// alone; others do with wave_generator.major_displacement, and then the even polynomial through the axis that goes on
 /// into the solved curve stands between.
-/// Accuracy: WantedCurve::error; an error of a flank grows along the curve, by WantedCurve::growth.
+/// Accuracy: WantedCurve::error; an error of a flank grows along the curve, by WantedCurve::growth. Curvature, stress
+/// and clearance: 1.5 times what flanks moved by their error, either way, change them by; infinite where these have no
+/// closed curve.
 /// @param scene     both teeth, and a wave generator of the family "wanted"; lengths in mm, angles in rad
 /// @param on_stage  called with each stage that begins; null: not called
 /// @throws InputError      the scene cannot describe a drive (exit status 2)

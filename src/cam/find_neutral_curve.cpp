@@ -14,6 +14,7 @@
 #include "hdconj/base/tolerance.hpp"
 #include "hdconj/check.hpp"
 #include "hdconj/error.hpp"
+#include "hdconj/scene/reading.hpp"
 #include "hdconj/units.hpp"
 #include "hdconj/wanted_curve.hpp"
 #include "judgement/checks.hpp"
@@ -289,6 +290,8 @@ namespace hdconj {
 
 WantedCurve find_neutral_curve(Scene const& scene, StageObserver const& on_stage)
 {
+    if (Faults const faults = scene::value_faults(scene); !faults.empty())
+        throw InputError(faults);
     if (Faults const faults = check_wanted_scene(scene); !faults.empty())
         throw InputError(faults);
     WantedCurve out;

@@ -90,6 +90,9 @@ TEST_CASE("flanks moved by their error move the closed curve's figures by no mor
     };
     WantedCurve const given = found("0.0982");
     CHECK(given.flank_error == 1e-8);
+    Scene made = given.scene;
+    made.solver.tolerance = 0;  // by code, which no reader has checked
+    CHECK_THROWS_AS(find_neutral_curve(made), InputError);
     for (char const* moved : {"0.09819999", "0.09820001"}) {
         INFO(moved);
         WantedCurve const other = found(moved);
