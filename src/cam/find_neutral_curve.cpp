@@ -80,8 +80,8 @@ class Search
         throw NumericalError(
             failure.code(), failure.stage(), failure.place(),
             failure.cause() +
-                "; that displacement takes the flexspline's tips to the roots of the given circular "
-                "spline, as deep as teeth may stand without the key",
+                "; the displacement is not given, so the flexspline's tips were taken to the roots of the "
+                "given circular-spline teeth",
             fmt::format("write wave_generator.major_displacement, more than {:.6g} where the points of the circular "
                         "spline's tooth end before its root; or teeth that are conjugate to each other over a longer "
                         "stretch",
