@@ -82,14 +82,14 @@ struct PointDisplacement
     Pair order(0, 0), turn(n, n);
     std::array<Pair, 4> sum{Pair::Zero(), Pair::Zero(), Pair::Zero(), Pair::Zero()};
     for (DisplacementHarmonic const& h : displacement.harmonics) {
-        Pair const amplitude(h.w_cosine, h.v_sine);
+        Pair const amplitude = Pair::Map(&h.w_cosine) + Pair::Map(&h.v_cosine);  // the others are zero
         Pair const term = amplitude * on, slope = amplitude * slope_on * order, square = order * order;
         sum[0] += term;
         sum[1] += slope;
         sum[2] -= square * term;
         sum[3] -= square * slope;
         on = on * cosine + slope_on * sine;
-        slope_on = Pair(-on[1], on[0]);
+        slope_on = on.reverse() * Pair(-1, 1);
         order += turn;
     }
     PointDisplacement at;
