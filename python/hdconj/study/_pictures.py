@@ -124,12 +124,14 @@ def parallel_picture(study: Study) -> Any:
     scaled = (np.asarray(best[columns]) - np.asarray(low)) / np.where(span > 0, span, 1)
     for i in range(len(scaled) - 1, -1, -1):
         pane.plot(range(len(columns)), scaled[i], color=BEST if i == 0 else GOOD, lw=1.6 if i == 0 else 0.6)
-    pane.set_xticks(range(len(columns)), [column.replace(".", ".\n") for column in columns], fontsize=7)
-    pane.set_yticks([0, 1], ["least", "largest"])
-    pane.set_ylabel("of all drives")
-    pane.set_title(f"the best {len(best)} drives; thick: the first of the list", fontsize=9)
-    for i in range(len(columns)):
+    pane.set_xticks(range(len(columns)), [_label(study, column).replace(".", ".\n") for column in columns], fontsize=7)
+    pane.set_yticks([])
+    pane.set_ylim(-0.1, 1.1)
+    pane.set_title(f"the best {len(best)} drives; thick: the first of the list; ends of the axes: all drives", fontsize=9)
+    for i, column in enumerate(columns):
         pane.axvline(i, color="0.8", lw=0.6, zorder=0)
+        for end, place in ((low[column], -0.04), (low[column] + span[column], 1.04)):
+            pane.text(i, place, f"{end:.5g}", ha="center", va="center", fontsize=7, bbox={"color": "white", "pad": 1})
     return figure
 
 
