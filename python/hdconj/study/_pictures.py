@@ -127,7 +127,7 @@ def parallel_picture(study: Study) -> Any:
     pane.set_xticks(range(len(columns)), [_label(study, column).replace(".", ".\n") for column in columns], fontsize=7)
     pane.set_yticks([])
     pane.set_ylim(-0.1, 1.1)
-    pane.set_title(f"the best {len(best)} drives; thick: the first of the list; ends of the axes: all drives", fontsize=9)
+    pane.set_title(f"the best {len(best)} drives; thick: the first of the list; axes: all drives", fontsize=9)
     for i, column in enumerate(columns):
         pane.axvline(i, color="0.8", lw=0.6, zorder=0)
         for end, place in ((low[column], -0.04), (low[column] + span[column], 1.04)):
