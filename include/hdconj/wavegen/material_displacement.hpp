@@ -88,8 +88,9 @@ struct PointDisplacement
         sum[1] += slope;
         sum[2] -= square * term;
         sum[3] -= square * slope;
-        on = on * cosine + slope_on * sine;
-        slope_on = on.reverse() * Pair(-1, 1);
+        Pair const next = on * cosine + slope_on * sine;
+        slope_on = slope_on * cosine - on * sine;
+        on = next;
         order += turn;
     }
     PointDisplacement at;
