@@ -5,6 +5,7 @@
   sources.py SOURCE_DIR   check the sources
   sources.py --control    check the check: a file made to break each rule must be caught
 """
+import os
 import re
 import sys
 import tempfile
@@ -17,10 +18,11 @@ SKIPPED = {".git", "build", "out", "__pycache__", ".cache", "third_party"}
 
 
 def files(root):
-    for path in sorted(root.rglob("*")):
-        parts = path.relative_to(root).parts
-        if path.is_file() and not any(p in SKIPPED or p.startswith("build-") for p in parts):
-            yield path, path.relative_to(root).as_posix()
+    for folder, folders, names in os.walk(root):
+        folders[:] = sorted(each for each in folders if each not in SKIPPED and not each.startswith("build-"))
+        for path in (Path(folder) / name for name in sorted(names)):
+            if path.is_file():
+                yield path, path.relative_to(root).as_posix()
 
 
 def without_comments(text):
