@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backlash.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -150,53 +152,9 @@ std::optional<Jump> jump_about(Samples const& samples, std::vector<std::size_t> 
                 std::max(-samples.torque[at[first_above - 1]], samples.torque[at[first_above]])};
 }
 
-}  // namespace
-
-namespace {
-
 constexpr double clear = 5;  // standard errors: beyond what the best of some hundred places reaches by chance
 
-/// Half the differences between a branch and the next one at the angles of its readings.
-std::vector<double> half_differences(Samples const& samples, LoadBranch const& branch, LoadBranch const& following)
-{
-    std::vector<double> halves;
-    std::vector<std::size_t> next(following.last - following.first + 1);
-    std::iota(next.begin(), next.end(), following.first);
-    auto const twist = [&](std::size_t i) { return samples.twist[i]; };
-    std::ranges::stable_sort(next, {}, twist);
-    for (std::size_t i = branch.first; i <= branch.last; ++i) {
-        auto const above = std::ranges::upper_bound(next, samples.twist[i], {}, twist);
-        if (above == next.begin() || above == next.end())
-            continue;
-        std::size_t const low = above[-1], high = *above;
-        double const share = (samples.twist[i] - samples.twist[low]) / (samples.twist[high] - samples.twist[low]);
-        double const off = (samples.torque[i] - std::lerp(samples.torque[low], samples.torque[high], share)) / 2;
-        halves.push_back(branch.rising ? off : -off);
-    }
-    return halves;
-}
-
 }  // namespace
-
-Found friction_torque(Samples const& samples, std::vector<LoadBranch> const& branches)
-{
-    std::vector<double> halves;
-    std::vector<Found> pairs;
-    for (std::size_t b = 0; b + 1 < branches.size(); ++b) {
-        std::vector<double> const own = half_differences(samples, branches[b], branches[b + 1]);
-        if (own.empty())
-            continue;
-        pairs.push_back({quantile(own, 0.5)});
-        halves.insert(halves.end(), own.begin(), own.end());
-    }
-    if (halves.empty())
-        return {};
-    double const median = quantile(halves, 0.5), n = static_cast<double>(halves.size());
-    for (double& each : halves)
-        each -= median;
-    constexpr double of_median = 1.2533;  // its standard error over that of the mean, of normal noise
-    return {std::max(0.0, median), std::hypot(mean_of(pairs).error, of_median * deviation_of(halves) / std::sqrt(n))};
-}
 
 double unloaded_torque(Samples const& samples, std::vector<LoadBranch> const& branches, double window,
                        Noise const& noise)

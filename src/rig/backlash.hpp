@@ -17,11 +17,6 @@ struct Jump
     double engaged = 0;  ///< torque of the first sample beyond it, without sign [N mm]
 };
 
-/// Torque that friction takes: half the difference between a branch and the next one at equal angles, the median of all
-/// readings [N mm]. Coulomb friction T_f gives T_f, also where an angle lies within the backlash. Its error
-/// is that of the median of all readings and of the mean over the pairs of branches.
-[[nodiscard]] Found friction_torque(Samples const& samples, std::vector<LoadBranch> const& branches);
-
 /// Torque about which the loop is symmetric: the reading of a sensor that is not loaded [N mm].
 ///
 /// The angle jumps by the backlash at this torque plus the friction on the way up and minus it on the way down. Where

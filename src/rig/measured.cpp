@@ -11,6 +11,7 @@
 #include "cleaning.hpp"
 #include "fits.hpp"
 #include "found.hpp"
+#include "friction.hpp"
 #include "hdconj/load.hpp"
 #include "numeric/moments.hpp"
 
@@ -145,7 +146,7 @@ MeasuredStiffness measured_stiffness(MeasuredCurve const& curve)
     limits.loaded = measured_at::loaded * least;
     limits.no_load = measured_at::no_load * result.largest_torque;
     limits.window = measured_at::near_zero * result.largest_torque;
-    Found const friction = rig::friction_torque(samples, branches);
+    Found const friction = rig::friction_torque(samples, branches, limits.noise.rounding > 0 ? result.angle_step : 0);
     BranchFigures all = rig::branch_figures(samples, branches, friction.value, limits);
     Estimate const knee = mean_of(all.knee);
     if (double const bend = knee.value - friction.value - 2 * knee.error; knee.count > 0 && bend < limits.window) {

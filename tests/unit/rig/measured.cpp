@@ -263,6 +263,23 @@ TEST_CASE("with noise and an encoder's steps what is found lies within its own u
     CHECK(outside_three <= 3 * tries / 20);
 }
 
+TEST_CASE("friction is the same whatever the steps of the encoder", "[load][measured]")
+{
+    for (double const coulomb : {0.0, 1.3})
+        for (double const step : {0.108, 0.2, 0.5})
+            for (int const per_branch : {57, 200}) {
+                Rig rig;
+                rig.coulomb = coulomb * nm;
+                rig.angle_step = step * minute;
+                rig.per_branch = per_branch;
+                rig.drift = 0.01 * minute;
+                auto const found = measured_stiffness(rig_loop(rig));
+                CAPTURE(coulomb, step, per_branch, found.friction.value / nm, found.friction.error / nm);
+                check_near(found.friction, rig.coulomb, 4 * found.friction.error + 1e-9 * nm);
+                CHECK(found.friction.error < 0.5 * nm);
+            }
+}
+
 TEST_CASE("coarse steps of an encoder are in the error of the loop and of backlash", "[load][measured]")
 {
     for (unsigned seed = 1; seed <= 10; ++seed) {
