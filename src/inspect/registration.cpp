@@ -33,10 +33,9 @@ double median_distance(Registered const& what, double turn)
     return *middle;
 }
 
-[[noreturn]] void refuse_loose(Registration registration, std::size_t points)
+[[noreturn]] void refuse_loose(Registration registration)
 {
-    throw InputError(Fault{"--register", 0, std::string(to_string(registration)),
-                           fmt::format("the {} points on flanks do not fix it", points),
+    throw InputError(Fault{"--register", 0, std::string(to_string(registration)), "the points on flanks do not fix it",
                            registration == Registration::turn ? "write --register datum, or measure more of the flank"
                                                               : "write --register turn, or measure both flanks"});
 }
@@ -55,10 +54,10 @@ LeastSquaresStep least_squares_step(std::vector<PointView> const& views, Placeme
     for (std::size_t i = 0; i < views.size(); ++i)
         deviations[static_cast<Eigen::Index>(i)] = -views[i].deviation;
     if (rows.rows() < unknowns)
-        refuse_loose(what.registration, views.size());
+        refuse_loose(what.registration);
     numeric::LeastSquares const fit(rows, least_rank);
     if (fit.rank() < unknowns)
-        refuse_loose(what.registration, views.size());
+        refuse_loose(what.registration);
     Eigen::VectorXd by = fit.solve(deviations);
     double const change = (rows * by).cwiseAbs().maxCoeff();
     return {std::move(by), change};

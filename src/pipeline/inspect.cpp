@@ -85,11 +85,17 @@ void add_flexspline_planes(NominalPart& part, Solution const& solution, std::vec
 }
 
 /// The scene with outlines so fine that a curve through their points misses them by less than 1e-9 mm where they are
-/// smooth.
+/// smooth. A tilted ring has one at either end, as it is cut.
 Scene finely_drawn(Scene scene)
 {
     constexpr double finer = 16;
+    constexpr int ends = 2;
     scene.solver.tolerance = std::max(scene.solver.tolerance / finer, scene::bounds::least_tolerance);
+    if (scene.tilt && scene.circular_spline.width) {
+        if (!scene.slices)
+            scene.slices.emplace();
+        scene.slices->count = std::max(ends, scene.slices->count);
+    }
     return scene;
 }
 
