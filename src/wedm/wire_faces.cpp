@@ -67,7 +67,6 @@ void trim(WireFaces& faces)
             --i;
         mark = i;
     }
-    faces.marks.erase(std::unique(faces.marks.begin(), faces.marks.end()), faces.marks.end());
     faces.meshing = std::move(meshing);
     faces.pitch = trimmed.path;
 }
@@ -95,6 +94,8 @@ WireFaces wire_faces(CircularSplineOutline const& outline, int teeth)
         faces.between.push_back({(outline.z[k] - outline.z.front()) / (outline.z.back() - outline.z.front()),
                                  reversed(outline.outline[k])});
     trim(faces);
+    // where corners alone touch, a flank begins and ends in one point
+    faces.marks.erase(std::unique(faces.marks.begin(), faces.marks.end()), faces.marks.end());
     return faces;
 }
 

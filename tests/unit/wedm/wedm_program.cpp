@@ -47,6 +47,39 @@ TEST_CASE("the table wedm changes nothing of the solved drive", "[wedm]")
               .circular_spline.outline == without.circular_spline.outline);
 }
 
+TEST_CASE("a ring that corners and lands alone make is cut", "[wedm]")
+{
+    Scene const scene = parse_scene(R"([drive]
+name = "corners"
+module = 0.7
+flexspline_teeth = 120
+circular_spline_teeth = 123
+[flexspline]
+wall = 1.1
+[flexspline.profile]
+family = "straight"
+addendum = 0.5
+dedendum = 0.7
+pressure_angle_deg = 25
+thickness = 1.0
+[wave_generator]
+family = "cosine"
+radial_deformation = 0.72
+waves = 3
+[circular_spline]
+width = 9.0
+[wedm]
+wire_diameter = 0.2
+spark_gap = 0.012
+residual_limit = 0.05
+)",
+                                    "corners");
+    REQUIRE(solve(scene).flank_contact.angle == 0);
+    WireProgram const program = wire_program(scene);
+    CHECK(program.figures.face_error <= program.tolerance);
+    CHECK(program.nominal.sync.size() == 3 * 123);
+}
+
 TEST_CASE("type-50 tilted by 0.2 degrees is cut to the tolerance and its numbers are those of the notes", "[wedm]")
 {
     WireProgram const program = wire_program(builtin_scene({"tilt.angle_deg=0.2"}));
