@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "hdconj/design_files.hpp"
 #include "hdconj/load.hpp"
 #include "law/errors/load_at_torque.hpp"
 #include "support/catch.hpp"
@@ -54,6 +55,26 @@ TEST_CASE("errors of nothing on the whole ring are those of one lobe", "[load][e
     LoadStudy const zero = load_at_torque(15, {pitch("circular_spline", std::vector<double>(z_c, 0))});
     CHECK(zero.sectors == 2);
     CHECK(zero.cases.front().map.force == plain.cases.front().map.force);
+}
+
+TEST_CASE("the whole ring of few teeth has the angles of its lobes", "[load][errors]")
+{
+    DesignWishes wishes;
+    wishes.ratio = 40;
+    wishes.diameter = 32;
+    std::string const text = scene_text(design_drive(wishes));
+    auto const loaded = [&](Keys keys) {
+        keys.insert(keys.end(), {"slices.count=3", "bearing.circles=3", "load.harmonics=80"});
+        LoadOptions options;
+        options.torque = 3 * newton_metre;
+        options.curve = options.errors = false;
+        return study_load(parse_scene(text, "designed", {}, keys), options);
+    };
+    LoadStudy const lobe = loaded({}), ring = loaded({"errors.flexspline.eccentricity=1e-9"});
+    CHECK(lobe.sectors == 2);
+    CHECK(ring.sectors == 1);
+    check_same_state(only_state(ring), only_state(lobe));
+    CHECK(ring.cases.front().backlash == Approx(lobe.cases.front().backlash).epsilon(1e-4));
 }
 
 TEST_CASE("errors that both lobes have are those of one lobe", "[load][errors]")

@@ -147,13 +147,13 @@ void add_wave_generator(ElasticDrive& drive, PlacedBearing const& placed, contac
 
 RingGrid ring_grid(Scene const& scene)
 {
-    constexpr int fewest_angles = 96;  // of the wave generator's contact in one sector
+    constexpr int fewest_angles = 96;  // of the wave generator's contact on one lobe
     int const teeth = scene.drive.flexspline_teeth;
     int const lobes = std::gcd(teeth, scene.wave_generator.waves);
     int const repeats = errors_repeat(scene, lobes) ? lobes : 1;
     int const sectors = scene.bearing && scene.bearing->balls ? std::gcd(repeats, *scene.bearing->balls) : repeats;
-    int const per_sector = teeth / sectors;
-    return {lobes, sectors, per_sector, (fewest_angles + per_sector - 1) / per_sector};
+    int const per_lobe = teeth / lobes;
+    return {lobes, sectors, teeth / sectors, (fewest_angles + per_lobe - 1) / per_lobe};
 }
 
 }  // namespace hdconj::load
