@@ -42,22 +42,22 @@ struct LoadedTeeth
 /// The cup on the wave generator without torque.
 struct AssembledCup
 {
-    double coning_major = 0;  ///< slope of the radial displacement over the toothed width at the major axis, by least
-                              ///< squares [rad]
-    double coning_minor = 0;  ///< at the minor axis [rad]
-    std::vector<double> z;    ///< (k) slices [mm]
-    std::vector<double> w_major;            ///< (k) radial displacement at the major axis [mm]
-    std::vector<double> w_minor;            ///< (k) radial displacement at the minor axis [mm]
-    double wave_generator_force = 0;        ///< [N]
-    int contacts = 0;                       ///< nodes of the bearing that carry force
-    double largest_stress = 0;              ///< von Mises [MPa]; 0: not computed
-    double ball_force = 0;                  ///< largest of a ball [N], of a line [N/mm]; 0: a rigid bearing
-    double ball_phi = 0;                    ///< its angle [rad]
-    int balls = 0;                          ///< single balls that carry force
-    bool estimated = false;                 ///< the following errors are estimated, as those of a LoadCase
-    double displacement_error = 0;          ///< of each w_major and w_minor [mm]
-    double coning_major_error = 0;          ///< [rad]
-    double coning_minor_error = 0;          ///< [rad]
+    double coning_major = 0;          ///< slope of the radial displacement over the slices at the major axis, by least
+                                      ///< squares [rad]
+    double coning_minor = 0;          ///< at the minor axis [rad]
+    std::vector<double> z;            ///< (k) slices [mm]
+    std::vector<double> w_major;      ///< (k) radial displacement at the major axis [mm]
+    std::vector<double> w_minor;      ///< (k) radial displacement at the minor axis [mm]
+    double wave_generator_force = 0;  ///< [N]
+    int contacts = 0;                 ///< nodes of the bearing that carry force
+    double largest_stress = 0;        ///< von Mises [MPa]; 0: not computed
+    double ball_force = 0;            ///< largest of a ball [N], of a line [N/mm]; 0: a rigid bearing
+    double ball_phi = 0;              ///< its angle [rad]
+    int balls = 0;                    ///< single balls that carry force
+    bool estimated = false;           ///< the following errors are estimated, as those of a LoadCase
+    double displacement_error = 0;    ///< of each w_major and w_minor [mm]
+    double coning_major_error = 0;    ///< [rad]
+    double coning_minor_error = 0;    ///< [rad]
     double wave_generator_force_error = 0;  ///< [N]
     double largest_stress_error = 0;        ///< [MPa]
     double ball_force_error = 0;            ///< [N], [N/mm]

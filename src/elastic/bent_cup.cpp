@@ -90,15 +90,20 @@ AxialMove BentCup::axial(double z, double radius, double phi) const
 
 double BentCup::coning(double phi) const
 {
+    return std::atan(wall_slope(solid_.mesh(), field_, section_.ring_begin, section_.ring_end, phi));
+}
+
+double wall_slope(SectionMesh const& mesh, HarmonicField const& field, double begin, double end, double phi)
+{
     constexpr int intervals = 32;
     double top = 0, bottom = 0;
     for (int i = 0; i <= intervals; ++i) {
         double const t = static_cast<double>(i) / intervals - 0.5;
-        double const z = (section_.ring_begin + section_.ring_end) / 2 + t * (section_.ring_end - section_.ring_begin);
-        top += t * displacement_at(solid_.mesh(), field_, wall_point(solid_.mesh(), z, 0), phi)[0];
+        double const z = (begin + end) / 2 + t * (end - begin);
+        top += t * displacement_at(mesh, field, wall_point(mesh, z, 0), phi)[0];
         bottom += t * t;
     }
-    return std::atan(top / bottom / (section_.ring_end - section_.ring_begin));
+    return top / bottom / (end - begin);
 }
 
 namespace {

@@ -72,6 +72,12 @@ class BentCup
     HarmonicField field_;
 };
 
+/// Slope du_r/dz of the best line along the inner surface of the straight wall from @p begin to @p end [mm above the
+/// bottom], from 33 even heights, at @p phi.
+/// @throws NumericalError outside the straight wall
+[[nodiscard]] double wall_slope(SectionMesh const& mesh, HarmonicField const& field, double begin, double end,
+                                double phi);
+
 /// Such a cup, unless keep_elastic_bodies() has it.
 /// @throws NumericalError as BentCup does
 [[nodiscard]] std::shared_ptr<BentCup const> solved_cup(CupSection const& section, Bearing const& bearing,

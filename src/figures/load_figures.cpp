@@ -136,7 +136,7 @@ constexpr auto cup_figures(Unit const& ball)
     using T = AssembledCup;
     return std::array{
         estimate_of<&T::coning_major, &T::coning_major_error>(
-            "coning_major", given_degree, "slope of the radial displacement over the toothed width at the major axis",
+            "coning_major", given_degree, "slope of the radial displacement over the slices at the major axis",
             {"coning, major axis", fixed<4>, two_digits, &degree}),
         estimate_of<&T::coning_minor, &T::coning_minor_error>("coning_minor", given_degree,
                                                               "the same at the minor axis",

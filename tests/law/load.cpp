@@ -424,6 +424,17 @@ TEST_CASE("estimates bound the distance to a fine grid", "[load][errors]")
     CHECK(two.cases.front().curve_error.empty());
 }
 
+TEST_CASE("the coning of three slices is within its error of that of many", "[load][errors]")
+{
+    AssembledCup const few = study_load(quick(), at_torque(20 * newton_metre)).cup;
+    LoadOptions options = at_torque(20 * newton_metre);
+    options.errors = false;
+    AssembledCup const many = study_load(quick({"slices.count=25"}), options).cup;
+    CHECK(std::abs(few.coning_major - many.coning_major) <= few.coning_major_error);
+    CHECK(std::abs(few.coning_minor - many.coning_minor) <= few.coning_minor_error);
+    CHECK(few.coning_major_error < 0.1 * std::abs(few.coning_major));
+}
+
 TEST_CASE("every torque of a curve has an estimate that bounds its distance to a fine grid", "[load][errors]")
 {
     Keys const keys{"wave_generator.radial_deformation=0.257", "flexspline.wall=0.6",

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "elastic/bent_cup.hpp"
+#include "load/model/cup_shape.hpp"
 #include "load/study/bearing_map.hpp"
 
 namespace hdconj::load {
@@ -225,8 +227,20 @@ void estimate_errors(contact::ContactContext const& context, DriveGrids const& d
         return grid_difference(cup.*figure, values);
     };
     cup.displacement_error = safety * wall_difference(context, drives);
-    cup.coning_major_error = safety * difference(&AssembledCup::coning_major);
-    cup.coning_minor_error = safety * difference(&AssembledCup::coning_minor);
+    // What lies between few slices shows on no coarser grid: of three and of two the slope is the same.
+    auto const between_slices = [&, field = cup_field(drives.fine.model, drives.fine.unloaded.forces, context.threads)](
+                                    double slope, double phi) {
+        LoadModel const& model = drives.fine.model;
+        return std::abs(slope - elastic::wall_slope(model.solid.mesh(), field, model.middle + cup.z.front(),
+                                                    model.middle + cup.z.back(), phi));
+    };
+    auto const coning_error = [&](double AssembledCup::*coning, double phi) {
+        double const grids = difference(coning);
+        return std::max(safety * grids, grids + between_slices(cup.*coning, phi));
+    };
+    cup.coning_major_error = coning_error(&AssembledCup::coning_major, 0);
+    cup.coning_minor_error =
+        coning_error(&AssembledCup::coning_minor, std::numbers::pi / context.scene.wave_generator.waves);
     constexpr double force = 0.8, ball = 0.2;  // they converge faster than the shape
     cup.wave_generator_force_error = force * safety * difference(&AssembledCup::wave_generator_force);
     cup.ball_force_error = ball * safety * std::max(grid_difference(0, balls), difference(&AssembledCup::ball_force));

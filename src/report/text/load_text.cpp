@@ -56,7 +56,7 @@ void write_load_setting(Page& page, LoadStudy const& study)
         std::string const error = cup.estimated ? told.error_with_unit(name) : "";
         page.figure(label, told.with_unit(name), error + (error.empty() || words.empty() ? "" : "; ") + words);
     };
-    line("coning_major", rows["coning_major"].text.label, "slope of the radial displacement over the toothed width");
+    line("coning_major", rows["coning_major"].text.label, "slope of the radial displacement over the slices");
     line("coning_minor", rows["coning_minor"].text.label, "");
     write_slices(page, cup.z);
     line("wave_generator_force", rows["wave_generator_force"].text.label,
