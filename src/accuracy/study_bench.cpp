@@ -48,7 +48,7 @@ std::vector<double> tolerances_of(Drive const& drive, int most)
     std::vector<double> tolerances;
     for (int digits = coarsest; digits <= finest && static_cast<int>(tolerances.size()) < most; ++digits)
         if (double const tolerance = power_of_ten(digits);
-            tolerance <= scene::largest_tolerance(drive) && tolerance >= scene::least_tolerance(drive))
+            tolerance <= scene::tenth_of_module(drive) && tolerance >= scene::least_tolerance(drive))
             tolerances.push_back(tolerance);
     return tolerances;
 }

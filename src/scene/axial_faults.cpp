@@ -4,6 +4,7 @@
 
 #include "base/text.hpp"
 #include "hdconj/units.hpp"
+#include "tolerance_limits.hpp"
 #include "validation.hpp"
 
 namespace hdconj::scene {
@@ -70,10 +71,10 @@ void check_contact(SceneReading const& reading, Faults& faults)
 {
     auto const& scene = reading.scene;
     if (scene.contact && knows(reading, {"contact.contact_gap", "drive.module"}) &&
-        scene.contact->gap > scene.drive.module / 10) {
+        scene.contact->gap > tenth_of_module(scene.drive)) {
         add_at(faults, "contact.contact_gap", number_text(scene.contact->gap),
                "flanks a tenth of the module apart do not touch",
-               "write at most " + at_most_text(scene.drive.module / 10) + ", such as 0.001");
+               "write at most " + at_most_text(tenth_of_module(scene.drive)) + ", such as 0.001");
     }
 }
 

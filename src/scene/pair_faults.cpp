@@ -53,7 +53,7 @@ void check_tolerance(SceneReading const& reading, Faults& faults)
     if (!knows(reading, {"solver.tolerance", "drive.module"}))
         return;
     double const tolerance = reading.scene.solver.tolerance;
-    double const largest = largest_tolerance(reading.scene.drive);
+    double const largest = tenth_of_module(reading.scene.drive);
     if (tolerance > largest)
         add_at(faults, "solver.tolerance", number_text(tolerance),
                "is above a tenth of the module, too coarse for a tooth",
@@ -117,7 +117,7 @@ void check_deformation(SceneReading const& reading, Faults& faults)
     Advice const usual = drive_advice(scene);
     add_at(faults, "wave_generator.radial_deformation", number_text(*w0),
            "the neutral curve would be hollow between the waves",
-           "write less than " + at_most_text(largest) + "; usual is " + usual.words);
+           "write less than " + at_most_text(largest) + (usual.words.empty() ? "" : "; usual is " + usual.words));
     faults.back().set = usual.set;
 }
 

@@ -6,21 +6,20 @@
 
 #include "base/text.hpp"
 #include "hdconj/units.hpp"
+#include "tolerance_limits.hpp"
 #include "validation.hpp"
 
 namespace hdconj::scene {
 namespace {
 
-/// Of the module.
-constexpr double most_of_module = 0.1;
-
 /// Refuses an amount that makes another tooth of it.
 void check_amount(SceneReading const& reading, std::string const& key, double amount, Faults& faults)
 {
-    double const module = reading.scene.drive.module;
-    if (knows(reading, {key, "drive.module"}) && amount > most_of_module * module)
-        add_at(faults, key, number_text(amount), "more than a tenth of the module makes another drive",
-               "write at most " + at_most_text(most_of_module * module) + ", such as " + number_text(0.016 * module));
+    Drive const& drive = reading.scene.drive;
+    if (knows(reading, {key, "drive.module"}) && amount > tenth_of_module(drive))
+        add_at(
+            faults, key, number_text(amount), "more than a tenth of the module makes another drive",
+            "write at most " + at_most_text(tenth_of_module(drive)) + ", such as " + number_text(0.016 * drive.module));
 }
 
 /// Refuses a wobble that moves the ends of the ring further than an eccentricity may.
@@ -28,7 +27,7 @@ void check_wobble(SceneReading const& reading, std::string const& key, double wo
 {
     if (!knows(reading, {key, "drive.module", "circular_spline.width"}))
         return;
-    double const half = *reading.scene.circular_spline.width / 2, most = most_of_module * reading.scene.drive.module;
+    double const half = *reading.scene.circular_spline.width / 2, most = tenth_of_module(reading.scene.drive);
     if (half * std::tan(wobble) > most)
         add_at(faults, key, number_text(to_deg(wobble)),
                "moves the ends of the teeth by more than a tenth of the module",

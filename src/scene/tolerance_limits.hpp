@@ -2,6 +2,7 @@
 // Between which limits `solver.tolerance` may lie.
 #pragma once
 
+#include <cmath>
 #include <limits>
 
 #include "hdconj/scene.hpp"
@@ -14,10 +15,11 @@ namespace hdconj::scene {
     return drive.module * drive.flexspline_teeth / 2;
 }
 
-/// A tolerance above a tenth of the module says nothing about a tooth [mm].
-[[nodiscard]] inline double largest_tolerance(Drive const& drive)
+/// A tenth of the module, above which no tolerance, gap or relief leaves the tooth what it is [mm]. It is no less than
+/// the number that a user writes for it: 0.35/10 is less than 0.035.
+[[nodiscard]] inline double tenth_of_module(Drive const& drive)
 {
-    return drive.module / 10;
+    return std::nextafter(drive.module / 10, drive.module);
 }
 
 /// Tolerances below so many roundings of the pitch radius cannot be reached in double precision [mm].

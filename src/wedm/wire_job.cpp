@@ -10,6 +10,7 @@
 
 #include "hdconj/scene/reading.hpp"
 #include "hdconj/units.hpp"
+#include "scene/tolerance_limits.hpp"
 
 namespace hdconj::wedm {
 namespace {
@@ -80,7 +81,7 @@ void check_wire(Scene const& scene, Faults& faults)
         add_fault(faults, "wedm.tolerance",
                   fmt::format("the outline itself is known to {:.6g} mm only (solver.tolerance)", known),
                   fmt::format("write at least {:.6g}, or a smaller solver.tolerance", 10 * known));
-    if (wire.tolerance > module / 10)
+    if (wire.tolerance > scene::tenth_of_module(scene.drive))
         add_fault(faults, "wedm.tolerance", "is above a tenth of the module, too coarse for a tooth",
                   fmt::format("write at most {:.6g}, such as 0.0005", module / 10));
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <numbers>
+#include <string>
+#include <utility>
 
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
@@ -323,6 +325,28 @@ TEST_CASE("a fault reads as one line", "[scene]")
     auto const text = describe(many);
     CHECK(std::count(text.begin(), text.end(), '\n') == 100);
     CHECK(text.ends_with("and 900 more faults"));
+}
+
+TEST_CASE("a bound of a tenth of the module takes the tenth as it is written", "[scene]")
+{
+    using Written = std::pair<std::string, std::string>;
+    for (auto const& [module, tenth] : {Written{"0.35", "0.035"}, {"0.7", "0.07"}, {"1.9", "0.19"}}) {
+        auto const reading =
+            examine_scene(builtin_scene_text(), "scene", {}, {"drive.module=" + module, "solver.tolerance=" + tenth});
+        for (Fault const& fault : reading.faults) {
+            INFO(module << ": " << fault.reason);
+            CHECK(fault.path != "solver.tolerance");
+        }
+    }
+}
+
+TEST_CASE("a remedy that knows no usual deformation names none", "[scene]")
+{
+    auto const reading =
+        examine_scene(builtin_scene_text(), "scene", {}, {"drive.flexspline_teeth=6", "drive.circular_spline_teeth=8"});
+    REQUIRE_FALSE(reading.faults.empty());
+    for (Fault const& fault : reading.faults)
+        CHECK_THAT(fault.remedy, !ContainsSubstring("usual is"));
 }
 
 }  // namespace hdconj::test::scene_reading_cases
