@@ -42,11 +42,12 @@ scene::Advice better_flank(Solution const& solution)
 {
     Scene const& scene = solution.scene;
     scene::FamilyChoice const& tooth = scene.flexspline.profile;
-    // off the usual deformation the tip's corner sweeps the flank away
+    // Far off the usual deformation the tip's corner sweeps the flank away; nearer, another one may touch longer.
+    constexpr double far = 0.1;
     double const ratio = scene::deformation_ratio(scene.drive, solution.geometry.w0);
     bool const usual = scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth == scene.wave_generator.waves;
     scene::Advice advice;
-    if (!usual || std::abs(ratio - 1) > near)
+    if (!usual || std::abs(ratio - 1) > far)
         advice = scene::usual_pair(scene, std::nullopt);
     scene::add_pressure_angle(scene, advice);
     constexpr double low = 0.85, high = 0.9;  // modules
