@@ -233,6 +233,19 @@ class Reports(unittest.TestCase):
             self.assertEqual(page.locator("#compare tbody tr").count(), 1)
             self.assertEqual(page.locator("#compare tr.differs").count(), 0)
 
+    def test_drives_of_one_name_are_told_apart(self):
+        result = Path(FOLDER.name) / "again.h5"
+        hdconj("solve", TYPE_50, "-o", str(result), "-q")
+        names = ["type-50 (1)", "type-50 (2)"]
+        with Page(report("alike", TYPE_50, str(result))) as page:
+            drives = page.locator("header select").first
+            self.assertEqual(drives.locator("option").all_inner_texts(), names)
+            see(page, "compare")
+            self.assertEqual(page.locator("#compare thead th").all_inner_texts()[2:4], names)
+            self.assertIn("again.h5", page.locator("#compare .names .key").last.inner_text())
+            drives.select_option(index=1)
+            self.assertEqual(page.locator("h1").inner_text(), names[1])
+
     def test_tilt_slider_shows_each_case(self):
         file = report("tilts", TYPE_50, "--set", "slices.count=3", "--set", "circular_spline.width=2", "--with",
                       "contact", "--tilt", "0,0.1")

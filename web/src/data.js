@@ -78,6 +78,13 @@ export function errorOf(group, name, index) {
   return group && place ? valuesOf(group, place).errorAt(index) : null;
 }
 
+/** Names of drives: their numbers stand beside names that are equal.
+ * @param {Drive[]} drives */
+export function namesOf(drives) {
+  return drives.map(({ name }, i) => (drives.filter((each) => each.name === name).length > 1 ? `${name} (${i + 1})`
+    : name));
+}
+
 /** Every figure of a group and of those within it.
  * @param {string} part @param {Group} group @param {string} path @param {Figure[]} into */
 function collect(part, group, path, into) {

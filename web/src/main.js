@@ -3,6 +3,7 @@
 
 import { axialView } from "./axial.js";
 import { cuttingView } from "./cutting.js";
+import { namesOf } from "./data.js";
 import { designView } from "./design.js";
 import { choice, make, remember, remembered } from "./dom.js";
 import { loadView } from "./load.js";
@@ -71,7 +72,7 @@ function section(id, title, build) {
 
 /** @param {number} index */
 function show(index) {
-  const drive = report.drives[index], results = drive.results;
+  const drive = report.drives[index], results = drive.results, names = namesOf(report.drives);
   observer.disconnect();
   later.clear();
   const sections = [section("mesh", say("mesh"), () => meshView(drive))];
@@ -93,12 +94,12 @@ function show(index) {
       each.scrollIntoView({ behavior: "smooth" });
     } }, each.firstChild ? each.firstChild.textContent : "")));
   const theme = document.documentElement.dataset.theme === "dark" ? 1 : 0;
-  app.replaceChildren(make("header", {}, make("h1", {}, drive.name),
+  app.replaceChildren(make("header", {}, make("h1", {}, names[index]),
     make("p", {},
       `${say("version")} ${report.program_version} (${report.git_revision}), ${say("printed")} ${report.date}`),
     drive.origin ? make("p", { class: "origin" }, drive.origin) : null,
     make("div", { class: "controls" },
-      report.drives.length > 1 ? choice(say("drive"), report.drives.map((each) => each.name), index, (i) => {
+      report.drives.length > 1 ? choice(say("drive"), names, index, (i) => {
         remember("d", i);
         show(i);
       }) : null,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of figures: of one drive, and of several side by side.
 
-import { column, figuresOf, shown, shownError } from "./data.js";
+import { column, figuresOf, namesOf, shown, shownError } from "./data.js";
 import { make, svg } from "./dom.js";
 import { say } from "./texts.js";
 
@@ -105,7 +105,7 @@ export function compareView(drives) {
     };
   });
   rows.sort((a, b) => Number(b.mark) - Number(a.mark));
-  const head = [say("part"), say("figure"), ...drives.map((drive) => drive.name), say("unit")];
+  const head = [say("part"), say("figure"), ...namesOf(drives), say("unit")];
   return make("div", {}, overlay(drives), searchable(head, rows, say("compare")));
 }
 
@@ -131,5 +131,6 @@ function overlay(drives) {
     "d": `M${low} ${bottom + size * 2}h${bar}` }), svg("text", { "x": low, "y": bottom + size * 1.4, "font-size": size,
     "fill": "currentColor" }, `${bar} mm`));
   return make("figure", {}, make("figcaption", {}, say("overlaid")), picture,
-    make("div", { class: "names" }, ...drives.map((drive, i) => make("span", { class: `key s${i % 4}` }, drive.name))));
+    make("div", { class: "names" }, ...namesOf(drives).map((name, i) => make("span", { class: `key s${i % 4}` }, name,
+      drives[i].origin ? ": " + drives[i].origin : null))));
 }
