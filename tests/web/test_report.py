@@ -337,6 +337,19 @@ class Reports(unittest.TestCase):
             print(f"{100 * differ:.2f} % of the picture differ from its mirror image")
             self.assertLess(differ, 0.0003)  # colours of the next tooth beside: 0.0014
 
+    def test_each_fault_of_a_part_has_its_line(self):
+        file = Path(FOLDER.name) / "faults.html"
+        teeth = ("--set", "drive.circular_spline_teeth=203", "--set", "wave_generator.waves=3")
+        done = subprocess.run([PROGRAM, "report", TYPE_50, *teeth, "--with", "design", "-o", str(file), "-q", "--json"],
+                              capture_output=True, text=True)
+        (told,) = (each["why"] for each in json.loads(done.stdout)["drives"][0]["left_out"] if each["failed"])
+        self.assertGreater(len(told.splitlines()), 1)
+        with Page(file) as page:
+            see(page, "about")
+            for place in "section.warnings li.warning", "#about li":
+                shown = page.locator(place).filter(has_text="design: ").inner_text()
+                self.assertEqual(shown.splitlines(), f"design: {told}".splitlines())
+
     def test_hostile_names_stay_text(self):
         with Page(two_drives()) as page:
             page.locator("header select").first.select_option(index=1)
