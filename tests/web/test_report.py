@@ -180,6 +180,10 @@ class Reports(unittest.TestCase):
                 # the page's own measurement between both polygons
                 measured = float(page.locator("[data-gap]").nth(0).get_attribute("data-gap"))
                 self.assertAlmostEqual(measured, smallest, delta=0.005)
+            see(page, "axial")
+            worst = min(states, key=lambda state: state["contact_fraction"])
+            self.assertIn(f"Wave generator at {round(worst['wave_generator_deg'], 3):g}°, worst of the revolution",
+                          page.locator("#axial").inner_text())
 
     def test_numbers_of_the_table_are_the_program_s(self):
         summary = json.loads(hdconj("solve", TYPE_50, "--json", "-q", "-o", f"{FOLDER.name}/solve.h5"))

@@ -64,12 +64,16 @@ function gapMaps(smallest) {
  * @param {import("./data.js").Drive} drive @param {import("./data.js").Group} contact */
 function casesView(drive, contact) {
   const names = caseNames(contact), written = contact.attributes?.written_case || 0;
+  const worst = groupAt(contact, "case_000/revolution") ? `, ${say("worst")}` : "";
+  const angles = column(contact, "wave_generator");
   const list = make("div", {}), maps = make("div", { class: "figures wide" });
   const surface = make("div", { class: "wide" });
   const output = make("output", {});
   const show = (/** @type {number} */ i) => {
-    list.replaceChildren(keyFigures(contact, i, ["contact_fraction", "contact_area", "teeth", "turn_to_contact",
-      "backlash", "smallest_gap", "flank_clearance", "backlash_offset", "least_side_clearance"]));
+    const angle = Number((angles[i] / degree).toFixed(3)) + 0; // no minus before zero
+    list.replaceChildren(make("strong", {}, `${say("stateAngle")} ${angle}°${worst}`), keyFigures(contact, i,
+      ["contact_fraction", "contact_area", "teeth", "turn_to_contact", "backlash", "smallest_gap", "flank_clearance",
+        "backlash_offset", "least_side_clearance"]));
     const smallest = smallestOf(contact, i);
     maps.replaceChildren(...gapMaps(smallest));
     const figure = surfaceFigure(drive, groupAt(contact, "map"), i === written ? null : smallest);
@@ -86,7 +90,7 @@ function casesView(drive, contact) {
     } });
   const chosen = make("div", { class: "wide" }, names.length < 2 ? output
     : make("label", { class: "wide" }, say("tilt") + " ", slider, output), list);
-  const tilts = names.length < 2 ? null : chart(say("tiltChart"), say("tiltUnit"), say("fraction"),
+  const tilts = names.length < 2 ? null : chart(say("tiltChart") + worst, say("tiltUnit"), say("fraction"),
     [{ name: say("fraction"), dots: true, x: Array.from(column(contact, "tilt"), (t) => t / degree),
       y: column(contact, "contact_fraction"), error: column(contact, "contact_fraction_error") }]);
   return [chosen, maps, surface, tilts];

@@ -84,6 +84,7 @@ const english = {
   peakToPeak: "peak to peak", ratio: "Ratio", ratedTorque: "Torque on the output", backlash: "Backlash",
   lostMotion: "Lost motion",
   startingTorque: "Starting torque of the wave generator", backDriving: "Back-driving torque on the output",
+  stateAngle: "Wave generator at", worst: "worst of the revolution",
   tiltChart: "Contact fraction against tilt", tiltUnit: "tilt [deg]", fraction: "contact fraction",
 };
 
