@@ -437,6 +437,24 @@ class Reports(unittest.TestCase):
             see(page, "axial")
             self.assertEqual(page.locator("#axial .curves[data-errors=band]").count(), 1)
 
+    def test_an_error_that_was_not_determined_is_called_so(self):
+        result = Path(FOLDER.name) / "bare.h5"
+        told = json.loads(hdconj("load", f"{SOURCE}/data/scenes/type-50-elastic.toml", "--set", "slices.count=3",
+                                 "--no-curve", "--no-errors", "--json", "-q", "-o", str(result)))["load"]["cases"][0]
+        with Page(report("bare", str(result))) as page:
+            see(page, "load")
+            twist = [f"{told['rated']['twist_arcmin']:.3g}", "not determined", "arcmin"]
+            self.assertEqual(page.locator("#load tr[data-name=twist] td").all_inner_texts(), twist)
+            member = page.locator("#load figure:has(table) tr").last.locator("td").all_inner_texts()
+            self.assertEqual(member[1:], twist[1:])
+            self.assertNotIn("NaN", page.locator("#load").inner_text())
+            see(page, "numbers")
+            for name, error in ("largest_stress", "not determined"), ("rated_torque", ""):
+                page.locator("#numbers input[type=search]").fill(f"load/load {name}")
+                self.assertEqual(page.locator("#numbers tbody tr").first.locator("td").nth(2).inner_text(), error)
+            page.locator("#numbers button").click()
+            self.assertNotIn("NaN", page.locator("#numbers button").get_attribute("data-csv"))
+
     def test_drag_across_a_curve_zooms(self):
         with Page(running_page()) as page:
             see(page, "load")

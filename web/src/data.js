@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The data of the page: results as C++ wrote them (src/report/html), arrays in base64.
+// The error of a figure is null where it has none by nature, and not a number where it was not determined.
+
+import { say } from "./texts.js";
 
 /**
  * @typedef {{type?: "f8"|"f4"|"i4", shape?: number[], data?: string, texts?: string[], units: string, meaning: string,
@@ -59,19 +62,24 @@ export function column(group, name) {
   return numbers(group && group.datasets ? group.datasets[name] : undefined);
 }
 
-/** The values of a figure that stands in datasets, and its errors; null where there is none.
+/** The values of a figure that stands in datasets, and its errors.
  * @param {Group} group @param {Place} place */
 export function valuesOf(group, [, value, stated]) {
-  const apart = groupAt(group, "error")?.datasets?.[value] ? "error/" + value : "", error = stated || apart;
-  const place = error.startsWith("error/") ? groupAt(group, "error") : group;
-  const errors = error ? column(place, error.replace("error/", "")) : new Float64Array(0);
-  const estimated = place === group ? undefined : place && place.datasets && place.datasets.estimated;
-  const known = numbers(estimated);
+  const apart = groupAt(group, "error"), error = stated || (apart?.datasets?.[value] ? "error/" + value : "");
+  const errors = column(error.startsWith("error/") ? apart : group, error.replace("error/", ""));
+  const known = column(apart, "estimated"), isEstimated = group.attributes?.estimated !== 0;
   return { values: column(group, value), errorAt: (/** @type {number} */ i) =>
-    (i < errors.length && (!estimated || known[i] !== 0) ? errors[i] : null) };
+    (!error ? null : !isEstimated || known[i] === 0 ? NaN : i < errors.length ? errors[i] : null) };
 }
 
-/** The error of row @p index of a figure; null where none is known.
+/** The error of a figure that stands in an attribute.
+ * @param {Group} group @param {Place} place @returns {number|null} */
+export function attributeError(group, [, , error]) {
+  const of = group.attributes || {};
+  return !error || !(error in of) ? null : of.estimated === 0 ? NaN : of[error];
+}
+
+/** The error of row @p index of a figure.
  * @param {Group|undefined} group @param {string} name @param {number} index */
 export function errorOf(group, name, index) {
   const place = ((group && group.figures) || []).find((each) => each[0] === name && !each[5]);
@@ -89,12 +97,12 @@ export function namesOf(drives) {
  * @param {string} part @param {Group} group @param {string} path @param {Figure[]} into */
 function collect(part, group, path, into) {
   for (const place of group.figures || []) {
-    const [name, value, error, units, meaning, isAttribute] = place;
+    const [name, value, , units, meaning, isAttribute] = place;
     const own = { part, group: path, name, units, meaning };
     if (isAttribute) {
       const of = group.attributes || {};
       if (typeof of[value] === "number")
-        into.push({ ...own, index: -1, value: of[value], error: error && error in of ? of[error] : null });
+        into.push({ ...own, index: -1, value: of[value], error: attributeError(group, place) });
       continue;
     }
     const { values, errorAt } = valuesOf(group, place);
@@ -114,7 +122,8 @@ export function figuresOf(drive) {
   return all.sort((a, b) => Number(a.index >= 0) - Number(b.index >= 0)); // single figures before tables
 }
 
-/** A figure to the digits that its error leaves, to the error's second; seven without one.
+/** A figure to the digits that its error leaves, to the error's second; seven without one, three where it was not
+ * determined.
  * @param {number} value @param {number|null} [error] */
 export function shown(value, error) {
   if (!Number.isFinite(value)) return "–";
@@ -123,7 +132,7 @@ export function shown(value, error) {
     const digits = Math.floor(Math.log10(Math.abs(value))) - Math.floor(Math.log10(error)) + 2;
     return digits < 1 ? "0" : tidy(value.toPrecision(Math.min(15, digits)));
   }
-  return tidy(value.toPrecision(7));
+  return tidy(value.toPrecision(Number.isNaN(error) ? 3 : 7));
 }
 
 /** Whether a figure is not known by its error: larger than a third of it, as the program's summary has it.
@@ -135,7 +144,14 @@ export function isUnknown(value, error) {
 /** An error to two digits.
  * @param {number|null} error */
 export function shownError(error) {
+  if (Number.isNaN(error)) return say("notDetermined");
   return error === null ? "" : error === 0 ? "0" : tidy(error.toPrecision(2));
+}
+
+/** An error behind its figure.
+ * @param {number|null} error */
+export function plusMinus(error) {
+  return (error === null || Number.isNaN(error) ? "" : "± ") + shownError(error);
 }
 
 /** @param {string} text */

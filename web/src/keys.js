@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A short table of the figures that one looks at first, in the units of a drawing.
 
-import { isUnknown, shown, shownError, valuesOf } from "./data.js";
+import { isUnknown, plusMinus, shown, valuesOf } from "./data.js";
 import { make } from "./dom.js";
 import { say } from "./texts.js";
 
@@ -27,7 +27,7 @@ export function keyFigures(group, index, wanted, judged) {
     return make("tr", { "data-name": name, "data-value": value },
       make("th", { scope: "row" }, name.replace(/_/g, " "), make("small", {}, place[4])),
       make("td", {}, shown(value, error === null ? null : error * factor)),
-      make("td", {}, error === null ? "" : "± " + shownError(error * factor)), make("td", {}, unit,
+      make("td", {}, plusMinus(error === null ? null : error * factor)), make("td", {}, unit,
         judged && isUnknown(values[index], error) ? make("em", {}, say("notDetermined")) : null));
   });
   return make("table", { "class": "keys", "aria-label": say("keyFigures") }, make("tbody", {}, ...rows));

@@ -2,7 +2,7 @@
 // The drive under torque.
 
 import { bars, chart } from "./curves.js";
-import { brief, column, errorOf, groupAt, isUnknown, shown, shownError } from "./data.js";
+import { brief, column, errorOf, groupAt, isUnknown, plusMinus, shown, shownError } from "./data.js";
 import { choice, colour, legend, make, onTheme, remember, remembered } from "./dom.js";
 import { heatMap, strong } from "./heat_map.js";
 import { keyFigures } from "./keys.js";
@@ -34,7 +34,7 @@ function caseFigures(load, index) {
   /** @param {string} name @param {number} unit */
   const error = (name, unit) => {
     const e = column(errors, name);
-    return e.length && known.some((k) => k !== 0) ? Array.from(e, (v, i) => (known[i] ? v / unit : 0)) : undefined;
+    return e.length ? Array.from(e, (v, i) => (known[i] ? v / unit : NaN)) : undefined;
   };
   /** @param {string} title @param {string} xLabel @param {string} yLabel @param {string} xName @param {number} xUnit
    * @param {string} yName @param {number} yUnit */
@@ -60,11 +60,11 @@ function caseFigures(load, index) {
   const members = groupAt(group, "members");
   const names = members && members.datasets && members.datasets.name && members.datasets.name.texts;
   if (names) {
-    const twist = by(column(members, "twist"), arcminute), e = column(members, "twist_error");
+    const twist = by(column(members, "twist"), arcminute), known = column(members, "twist_error");
+    const e = twist.map((_, i) => (known.length ? known[i] / arcminute : NaN));
     all.push(make("figure", {}, make("figcaption", {}, say("members")), make("table", {}, make("tbody", {},
       ...names.map((name, i) => make("tr", {}, make("th", { scope: "row" }, name),
-        make("td", {}, e.length ? shown(twist[i], e[i] / arcminute) : brief(twist[i])),
-        make("td", {}, e.length ? "± " + shownError(e[i] / arcminute) : ""), make("td", {}, "arcmin")))))));
+        make("td", {}, shown(twist[i], e[i])), make("td", {}, plusMinus(e[i])), make("td", {}, "arcmin")))))));
   }
   const cup = index === ((load.attributes && load.attributes.written_case) || 0) ? cupSection(load, index)
     : null;
@@ -76,7 +76,7 @@ function caseFigures(load, index) {
  * @param {string} unit */
 function scaleEnd(load, index, name, largest, unit) {
   const error = errorOf(load, name, index);
-  return error === null ? `${brief(largest)} ${unit}` : `${shown(largest, error)} ± ${shownError(error)} ${unit}${
+  return !error ? `${shown(largest, NaN)} ${unit}` : `${shown(largest, error)} ± ${shownError(error)} ${unit}${
     isUnknown(largest, error) ? `, ${say("notDetermined")}` : ""}`;
 }
 

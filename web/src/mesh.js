@@ -257,7 +257,7 @@ function loadedNote(drive, mesh) {
   const minutes = 60 / degree, twist = column(load, "twist")[index] * minutes, known = errorOf(load, "twist", index);
   const error = known === null ? null : known * minutes;
   return `${say("loadedAt")} ${torque} N m, ${say("loadedCase")} ${caseNames(load)[index]}: ${say("loadedTwist")} ${
-    shown(twist, error)}${error === null ? "" : ` ± ${shownError(error)}`} arcmin, ${say("loadedAngle")} ${(mesh.loadedAngle / degree + 0).toFixed(2)}°. ${say("loadedTrue")}`;
+    shown(twist, error)}${error ? ` ± ${shownError(error)}` : ""} arcmin, ${say("loadedAngle")} ${(mesh.loadedAngle / degree + 0).toFixed(2)}°. ${say("loadedTrue")}`;
 }
 
 /** A length in um to 0.01, no minus before zero.

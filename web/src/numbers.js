@@ -18,7 +18,7 @@ function nameOf(figure) {
 /** A cell of CSV.
  * @param {string|number|null} value */
 function cell(value) {
-  const text = value === null ? "" : String(value);
+  const text = value === null || Number.isNaN(value) ? "" : String(value);
   return /[",\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text;
 }
 
@@ -92,7 +92,7 @@ export function compareView(drives) {
     const found = tables.map((table) => table.get(key)), known = found.filter(Boolean);
     const first = /** @type {import("./data.js").Figure} */ (known[0]);
     const mark = known.some((f) => f && Math.abs(f.value - first.value) > (f.error || 0) + (first.error || 0));
-    const exact = mark && known.some((f) => f && f.error === null);
+    const exact = mark && known.some((f) => f && !Number.isFinite(f.error));
     return {
       mark, search: `${key} ${first.units} ${first.meaning} ${mark ? say("differs") : ""}`.toLowerCase(),
       cells: [placeOf(first), make("span", {}, nameOf(first), make("small", {}, first.meaning), mark

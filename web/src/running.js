@@ -2,7 +2,7 @@
 // The drive while it turns, and the figures that a catalogue has of it.
 
 import { bars, chart } from "./curves.js";
-import { brief, column, groupAt, isUnknown, shown, shownError, valuesOf } from "./data.js";
+import { attributeError, brief, column, groupAt, isUnknown, plusMinus, shown, shownError, valuesOf } from "./data.js";
 import { make } from "./dom.js";
 import { efficiencyMaps } from "./efficiency.js";
 import { say } from "./texts.js";
@@ -70,7 +70,7 @@ function rowOf(name, group, key, index, unit, units) {
   const place = ((group && group.figures) || []).find((each) => each[0] === key);
   if (!group || !place) return [];
   if (place[5]) {
-    const of = group.attributes || {}, error = place[2] && place[2] in of ? of[place[2]] : null;
+    const of = group.attributes || {}, error = attributeError(group, place);
     return typeof of[place[1]] === "number" ? [[name, of[place[1]] / unit, error === null ? null : error / unit, units]]
       : [];
   }
@@ -98,7 +98,7 @@ function card(drive, running, losses) {
   return make("div", { class: "wide" }, make("h3", {}, say("card")), make("table", { "class": "keys",
     "aria-label": say("card") }, make("tbody", {}, ...rows.map(([name, value, error, units]) => make("tr",
     { "data-name": name, "data-value": value }, make("th", { scope: "row" }, name), make("td", {}, shown(value, error)),
-    make("td", {}, error === null ? "" : "± " + shownError(error)), make("td", {}, units,
+    make("td", {}, plusMinus(error)), make("td", {}, units,
       isUnknown(value, error) ? make("em", {}, say("notDetermined")) : null))))));
 }
 
@@ -109,8 +109,8 @@ export function runningView(drive) {
   const losses = groupAt(running, "losses");
   const figures = sequencesOf(running).flatMap(({ group, torque, name }) => {
     const angle = by(column(group, "angle"), degree), [span] = rowOf("", group, "peak_to_peak", 0, arcsecond, "");
-    const peaks = span ? `${say("peakToPeak")} ${shown(span[1], span[2])}${span[2] === null ? ""
-      : ` ± ${shownError(span[2])}`} arcsec` : name;
+    const peaks = span ? `${say("peakToPeak")} ${shown(span[1], span[2])}${span[2]
+      ? ` ± ${shownError(span[2])}` : ""} arcsec` : name;
     const made = [chart(`${say("transmissionError")}: ${name}`, say("generatorAngle"), say("ahead"),
       [{ name: peaks, x: angle, y: aboutMean(by(column(group, "error"), arcsecond)),
         error: by(column(group, "error_error"), arcsecond) }]),

@@ -65,8 +65,7 @@ const english = {
   built: "Program built with", curvesBy: "Curves are drawn by uPlot; its licence", keyFigures: "Figures to look at first", atTorque: "At", andMore: "and more",
   interference: "interference",
   white: "empty: no force", bottomOpen: "left: bottom of the cup, right: open end; the axis lies below",
-  noErrorNote: "Where the error is empty the program states none: counts, given values, and figures whose error is "
-    + "not determined.", allPasses: "all", wholePart: "Whole part",
+  noErrorNote: "Where the error is empty the program states none, as of counts and given values.", allPasses: "all", wholePart: "Whole part",
   curveHint: "point or press arrow keys to read, drag to zoom, double click for the whole",
   hoverHint: "Point at the picture to read values.", version: "hdconj", printed: "written", summary: "Printed summary",
   running: "While it runs", unloaded: "unloaded", tooth_pitch: "one tooth pitch",
