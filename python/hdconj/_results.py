@@ -252,12 +252,26 @@ class RunStudy(Result):
     __slots__ = ()
     _main = "running"
 
+    def to_pandas(self, dim: str | None = None) -> Any:
+        """The positions of the first sequence as a ``pandas.DataFrame``; units are in its ``attrs``."""
+        return self.groups["running"].groups["sequence_000"].to_pandas(dim)
+
 
 class WireProgram(Result):
     """Result of :func:`hdconj.wedm`: paths of the wire in both faces, set-up by set-up."""
 
     __slots__ = ()
     _main = "set_up_1"
+
+    def to_pandas(self, dim: str | None = None) -> Any:
+        """The moves of the first pass as a ``pandas.DataFrame``, with x and y of the wire in both faces."""
+        moves = self.groups["set_up_1"].groups["pass_1"]
+        frame = moves.to_pandas(dim)
+        for face in ("lower", "upper"):
+            for axis, values in zip("xy", moves.datasets[face].values.T):
+                frame[f"{face}_{axis}"] = values
+                frame.attrs["units"][f"{face}_{axis}"] = moves.datasets[face].units
+        return frame
 
 
 class Accuracy(Result):
@@ -302,3 +316,11 @@ class Design(Result):
     """Result of :func:`hdconj.design`; the drive is :attr:`scene`, its rows are in :meth:`to_dict`."""
 
     __slots__ = ()
+
+    def to_pandas(self, dim: str | None = None) -> Any:
+        """The rows of the design as a ``pandas.DataFrame``; it has no other dimension."""
+        import pandas
+
+        if dim not in (None, "row"):
+            raise KeyError(f"no column is over the dimension {dim!r}; known: row")
+        return pandas.DataFrame(self.to_dict()["rows"])

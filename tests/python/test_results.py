@@ -178,6 +178,16 @@ def test_pandas(study, solution):
     assert len(table) == 2 and table.attrs["units"]["contact_area"] == "mm^2"
     assert list(table["contact_area"]) == list(study.contact.contact_area)
     assert len(solution.to_pandas()) == len(solution.conjugate_zones.u)
+    running = hdconj.run(torque=0)
+    assert list(running.to_pandas()["error"]) == list(running.running.sequence_000.error)
+    paths = hdconj.wedm()
+    wire = paths.to_pandas()
+    assert np.array_equal(wire[["upper_x", "upper_y"]], paths.set_up_1.pass_1.upper)
+    assert wire.attrs["units"]["upper_x"] == "mm" and len(wire["tooth"]) == len(wire)
+    designed = hdconj.design(100, diameter=50)
+    assert list(designed.to_pandas()["name"]) == [row["name"] for row in designed.to_dict()["rows"]]
+    with pytest.raises(KeyError, match="'nodim'; known: row"):
+        designed.to_pandas("nodim")
 
 
 @pytest.mark.parametrize("which", ["solution", "study"])
