@@ -14,6 +14,7 @@ import numpy as np
 
 from . import _core
 from ._errors import Fault
+from ._tree import Group
 
 Value = Union[bool, int, float, str, np.generic, Sequence[Any], "np.ndarray[Any, Any]", Mapping[str, Any], None]
 
@@ -192,6 +193,8 @@ def scene_of(given: SceneLike) -> Scene:
         return Scene()
     if isinstance(given, Scene):
         return given
+    if isinstance(given, Group):
+        raise TypeError(f"{given!r} is a result or a part of one: write result.scene")
     if isinstance(given, Mapping):
         return Scene.from_dict(given)
     return Scene.load(given)

@@ -135,6 +135,12 @@ def test_what_is_no_result_file_is_a_file_error(solution, tmp_path):
             hdconj.read(tmp_path / name)
 
 
+def test_a_result_is_no_scene(solution):
+    for given in solution, solution.circular_spline:
+        with pytest.raises(TypeError, match="write result.scene"):
+            hdconj.contact(given)
+
+
 def test_wrong_keys_of_a_result(solution):
     assert 3 not in solution
     with pytest.raises(KeyError):
