@@ -15,7 +15,13 @@ pytest.importorskip("distributed")
 from hdconj.study import _drive  # noqa: E402
 from hdconj.study.__main__ import print_status  # noqa: E402
 from hdconj.study._expression import Expression  # noqa: E402
-from hdconj.study._pictures import draw_all, tooth_picture  # noqa: E402
+from hdconj.study._pictures import (  # noqa: E402
+    draw_all,
+    indices_picture,
+    keys_picture,
+    parallel_picture,
+    tooth_picture,
+)
 from hdconj.study._study import _ranks, dominated  # noqa: E402
 
 HEAD = """
@@ -113,7 +119,7 @@ r = "max"
 
 @pytest.mark.parametrize("values", ['0.7, "tangent"', '"tangent", 0.7'])
 def test_a_list_of_numbers_and_words(run, tmp_path, values):
-    """Its column is text whatever the order; scenes have the number again, and pictures leave it out."""
+    """Its column is text whatever the order; scenes have the number again, and a picture has both as words."""
     found = run(MIXED.replace("FIRST", values), tmp_path)
     assert sorted(found.frame["flexspline.profile.concave_offset"]) == ["0.7", "0.7", "tangent", "tangent"]
     assert (found.frame["code"] == "").all()
@@ -123,11 +129,18 @@ def test_a_list_of_numbers_and_words(run, tmp_path, values):
             *map(type, found.recipe.values(number).values())
         ]
     assert [file.name for file in draw_all(found)] == ["keys.png", "parallel.png", "tooth.png"]
+    words, numbers = keys_picture(found).axes[:2]
+    assert [label.get_text() for label in words.get_xticklabels()] == ["0.7", "tangent"]
+    assert {x for line in words.lines for x in line.get_xdata()} == {0, 1}
+    assert {x for line in numbers.lines for x in line.get_xdata()} == {1, 2.5}
+    assert parallel_picture(found).axes[0].get_title().startswith("the best 4 drives; thick")
+    found.frame = found.frame[:1]
+    assert parallel_picture(found).axes[0].get_title() == "the best drive; axes: all drives"
 
 
 def test_a_study_of_words_has_pictures(run, tmp_path):
     text = MIXED.replace("[FIRST]", '["tangent"]').replace("n = { list = [1, 2.5] }", "").replace('n2 = "n * n"', "")
-    assert [file.name for file in draw_all(run(text, tmp_path))] == ["tooth.png"]
+    assert [file.name for file in draw_all(run(text, tmp_path))] == ["keys.png", "tooth.png"]
 
 
 def test_fewer_drives_than_before(run, tmp_path):
@@ -198,6 +211,10 @@ def test_indices_of_a_sum(run, tmp_path):
     assert list(table["first"]) == pytest.approx([0.9, 0.1], abs=0.05)
     assert list(table["total"]) == pytest.approx([0.9, 0.1], abs=0.05)
     assert [file.name for file in draw_all(found)][-1] == "indices.png"
+    picture = indices_picture(found)
+    picture.draw_without_rendering()
+    (pane,) = picture.axes
+    assert pane.get_legend().get_window_extent().x0 >= pane.get_window_extent().x1  # covers no bar
     assert table.attrs["blocks"] == {"y": 128}
 
     # A study that runs, or has lost a shard: what is left of its blocks is not taken for whole ones.

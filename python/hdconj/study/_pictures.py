@@ -40,17 +40,21 @@ def _numeric(study: Study) -> list[str]:
 
 
 def keys_picture(study: Study) -> Any:
-    """Every figure against every key that varies; drives that break a constraint are pale."""
-    keys, names = _numeric(study), [name for name, _ in study.recipe.figures]
+    """Every figure against every key that varies, words side by side; drives that break a constraint are pale."""
+    keys, names = [key.path for key in study.recipe.keys], [name for name, _ in study.recipe.figures]
     if not keys:
         return None
     figure, panes = _figure(len(keys), len(names))
-    good = study.feasible()
+    good, numeric = study.feasible(), _numeric(study)
     for row, name in enumerate(names):
         for column, key in enumerate(keys):
-            pane = panes[row, column]
+            pane, places = panes[row, column], study.frame[key]
+            if key not in numeric:
+                places, words = places.astype(str).factorize(sort=True)
+                pane.set_xticks(range(len(words)), words, fontsize=7, rotation=90 if len(words) > 3 else 0)
+                pane.margins(x=0.5 / len(words))
             for mask, colour in ((~good, POOR), (good, GOOD)):
-                pane.plot(study.frame[key][mask], study.frame[name][mask], ".", ms=3, color=colour)
+                pane.plot(places[mask], study.frame[name][mask], ".", ms=3, color=colour)
             if column == 0:
                 pane.set_ylabel(_label(study, name))
             if row == len(names) - 1:
@@ -127,7 +131,8 @@ def parallel_picture(study: Study) -> Any:
     pane.set_xticks(range(len(columns)), [_label(study, column).replace(".", ".\n") for column in columns], fontsize=7)
     pane.set_yticks([])
     pane.set_ylim(-0.1, 1.1)
-    pane.set_title(f"the best {len(best)} drives; thick: the first of the list; axes: all drives", fontsize=9)
+    several = f"the best {len(best)} drives; thick: the first of the list"
+    pane.set_title(f"{several if len(best) > 1 else 'the best drive'}; axes: all drives", fontsize=9)
     for i, column in enumerate(columns):
         pane.axvline(i, color="0.8", lw=0.6, zorder=0)
         for end, place in ((low[column], -0.04), (low[column] + span[column], 1.04)):
@@ -153,7 +158,7 @@ def indices_picture(study: Study) -> Any:
             pane.barh(at + shift, part[word], 0.38, xerr=part[f"{word}_error"], color=colour, label=f"{word} index")
         pane.set_yticks(at, part["key"], fontsize=8)
         pane.set_title(f"share of the variance of {name}", fontsize=9)
-    panes.flat[0].legend(fontsize=7)
+    panes.flat[0].legend(fontsize=7, loc="upper left", bbox_to_anchor=(1, 1))  # beside the bars
     return figure
 
 
