@@ -35,7 +35,8 @@ double median_distance(Registered const& what, double turn)
 
 [[noreturn]] void refuse_loose(Registration registration)
 {
-    throw InputError(Fault{"--register", 0, std::string(to_string(registration)), "the points on flanks do not fix it",
+    throw InputError(Fault{"--register", 0, std::string(to_string(registration)),
+                           "the points on flanks do not determine the position of the part",
                            registration == Registration::turn ? "write --register datum, or measure more of the flank"
                                                               : "write --register turn, or measure both flanks"});
 }

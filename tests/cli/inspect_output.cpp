@@ -160,7 +160,7 @@ TEST_CASE("inspect refuses what it cannot follow", "[inspect]")
         {"two.csv --probe nan", "--probe", "nan", "--probe 0.1"},
         {"two.csv --probe 3", "--probe", "is larger than the module", "radius of the ball"},
         {"two.csv --plane inf", "--plane", "inf", "--plane 0"},
-        {"two.csv", "--register", "do not fix it", "--register turn"},
+        {"two.csv", "--register", "do not determine the position", "--register turn"},
         {"far.csv", "POINTS", "0 of 3 points stand on a flank", "--part"},
         {"planes.csv --plane 1", "--plane = 1", "the file has no points there; it has planes at 0, 2 mm", "one of"},
         {"two.csv --deviations two.csv", "--deviations", "would replace it", "another name"},

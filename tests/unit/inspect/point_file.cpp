@@ -171,7 +171,7 @@ TEST_CASE("points that are none of the part are refused", "[inspect]")
     designs::Draws draws(1);
     PointFile tooth = points_of(ring, draws);
     tooth.points.resize(2);
-    CHECK_THROWS_WITH(inspect_points(scene, tooth, options), ContainsSubstring("do not fix it"));
+    CHECK_THROWS_WITH(inspect_points(scene, tooth, options), ContainsSubstring("do not determine the position"));
     tooth.has_z = true;
     options.plane = 3;
     CHECK_THROWS_WITH(inspect_points(scene, tooth, options), ContainsSubstring("the file has no points there"));
