@@ -42,7 +42,8 @@ scene::Advice better_flank(Solution const& solution)
 {
     Scene const& scene = solution.scene;
     scene::FamilyChoice const& tooth = scene.flexspline.profile;
-    // Far off the usual deformation the tip's corner sweeps the flank away; nearer, another one may touch longer.
+    // Far from the usual deformation the corner of the tip cuts the flank away. Near it, the usual deformation may
+    // shorten the contact.
     constexpr double far = 0.1;
     double const ratio = scene::deformation_ratio(scene.drive, solution.geometry.w0);
     bool const usual = scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth == scene.wave_generator.waves;

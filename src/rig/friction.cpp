@@ -74,21 +74,22 @@ Found friction_torque(Samples const& samples, std::vector<LoadBranch> const& bra
     }
     if (halves.empty())
         return {};
-    // What a step hides of the torque: at every angle of a branch by chance, but in all branches alike, and in
-    // neighbours too where the angle moves by about a step from reading to reading.
+    // A step rounds each angle, which changes the torque by the slope of the curve. All branches may share these
+    // errors, so only the angles of one branch average them; neighbouring angles may share them too.
+    constexpr double of_neighbours = 2;
     auto const range = [](std::vector<double> const& values) {
         auto const [low, high] = std::ranges::minmax(values);
         return high - low;
     };
-    double const hidden =
-        2 * step / std::sqrt(12.0) * range(samples.torque) / range(samples.twist) /
-        std::sqrt(static_cast<double>(std::ranges::max(angles, {}, &std::vector<SameAngle>::size).size()));
+    std::size_t const most = std::ranges::max(angles, {}, &std::vector<SameAngle>::size).size();
+    double const by_rounding = of_neighbours * step / std::sqrt(12.0) * range(samples.torque) / range(samples.twist) /
+                               std::sqrt(static_cast<double>(most));
     double const median = quantile(halves, 0.5), n = static_cast<double>(halves.size());
     for (double& each : halves)
         each -= median;
     constexpr double of_median = 1.2533;  // its standard error over that of the mean, of normal noise
     return {std::max(0.0, median),
-            std::hypot(mean_of(pairs).error, of_median * deviation_of(halves) / std::sqrt(n), hidden)};
+            std::hypot(mean_of(pairs).error, of_median * deviation_of(halves) / std::sqrt(n), by_rounding)};
 }
 
 }  // namespace hdconj::rig

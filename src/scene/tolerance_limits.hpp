@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Between which limits `solver.tolerance` may lie.
+// Limits of `solver.tolerance` and of other small lengths.
 #pragma once
 
 #include <cmath>
@@ -15,8 +15,8 @@ namespace hdconj::scene {
     return drive.module * drive.flexspline_teeth / 2;
 }
 
-/// A tenth of the module, above which no tolerance, gap or relief leaves the tooth what it is [mm]. It is no less than
-/// the number that a user writes for it: 0.35/10 is less than 0.035.
+/// A tenth of the module [mm]: the largest tolerance, contact gap or relief that is accepted. It is the next larger
+/// number, because 0.35/10 is rounded to less than 0.035.
 [[nodiscard]] inline double tenth_of_module(Drive const& drive)
 {
     return std::nextafter(drive.module / 10, drive.module);

@@ -82,7 +82,8 @@ struct PointDisplacement
     Pair order(0, 0), turn(n, n);
     std::array<Pair, 4> sum{Pair::Zero(), Pair::Zero(), Pair::Zero(), Pair::Zero()};
     for (DisplacementHarmonic const& h : displacement.harmonics) {
-        Pair const amplitude = Pair::Map(&h.w_cosine) + Pair::Map(&h.v_cosine);  // the others are zero
+        // Loads of two numbers: w has no sines and v no cosines. Stores of single numbers would delay the next load.
+        Pair const amplitude = Pair::Map(&h.w_cosine) + Pair::Map(&h.v_cosine);
         Pair const term = amplitude * on, slope = amplitude * slope_on * order, square = order * order;
         sum[0] += term;
         sum[1] += slope;

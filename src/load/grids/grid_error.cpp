@@ -227,7 +227,7 @@ void estimate_errors(contact::ContactContext const& context, DriveGrids const& d
         return grid_difference(cup.*figure, values);
     };
     cup.displacement_error = safety * wall_difference(context, drives);
-    // What lies between few slices shows on no coarser grid: of three and of two the slope is the same.
+    // The slope over three slices is that over the two at the ends, so a coarser grid does not show this part.
     auto const between_slices = [&, field = cup_field(drives.fine.model, drives.fine.unloaded.forces, context.threads)](
                                     double slope, double phi) {
         LoadModel const& model = drives.fine.model;
