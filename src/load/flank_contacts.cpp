@@ -52,17 +52,18 @@ struct StripContact
 };
 
 /// The contact of a minimum. The force acts in the middle of a wide strip. A narrow strip has its normal at the least
-/// gap, and so has an edge, where all of the strip is on one circle.
+/// gap, and so has an edge, where all of the strip is on one circle, unless the search asks for the middle.
 StripContact contact_of(FlankView const& view, GapMinimum const& at, contact::GapField::Touch const& touch)
 {
     ContactStrip const strip = contact_strip(view, at, touch);
     double const half = 0.5 * (strip.behind + strip.ahead), place = view.curve.arc_length_at(at.place);
     double const on_circle = std::sqrt(2 * view.search.strip_depth * view.radius);
     double const wide = view.radius > 0 ? std::clamp(half / (2 * on_circle) - 1, 0.0, 1.0) : 1.0;
-    bool const on_edge = (at.at_end && place <= 0 && !view.search.wide_edges) || wide == 0;
+    bool const on_edge = (at.at_end && place <= 0 && !view.search.in_middle) || wide == 0;
+    double const moved = view.search.in_middle ? 1 : on_edge ? 0 : wide;
     FlankCurve::Place const middle =
-        on_edge ? at.place : view.curve.place(place + 0.5 * wide * (strip.ahead - strip.behind));
-    FlankContact c = contact_at(view, middle, on_edge ? touch : view.touch(view.curve.point(middle)));
+        moved == 0 ? at.place : view.curve.place(place + 0.5 * moved * (strip.ahead - strip.behind));
+    FlankContact c = contact_at(view, middle, moved == 0 ? touch : view.touch(view.curve.point(middle)));
     c.gap = touch.nearest.distance - view.radius;
     c.curvature = 2 * view.search.strip_depth / (half * half);
     c.on_edge = on_edge;

@@ -43,8 +43,8 @@ struct FlankSearch
     std::size_t spaces = 0;
     double phase = 0;  ///< undeformed angle of tooth 0 [rad]
     int flexspline_teeth = 0;
-    double strip_depth = 0;   ///< how much more gap belongs to one contact: that at the edges of a typical strip [mm]
-    bool wide_edges = false;  ///< a wide strip has its force in the middle although its least gap is on an edge
+    double strip_depth = 0;  ///< how much more gap belongs to one contact: that at the edges of a typical strip [mm]
+    bool in_middle = false;  ///< every force acts in the middle of its strip, on edges too
 };
 
 /// What searches know of the gaps of a field that only moves: no gap of a flank is smaller than its bound.

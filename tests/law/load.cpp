@@ -219,6 +219,35 @@ TEST_CASE("a drive that is its own mirror image is solved for one sign of torque
     }
 }
 
+TEST_CASE("a drive that is turned the other way under the opposite torque is the mirror image", "[load]")
+{
+    // lobes of 50 and 60 teeth are parted evenly by the bearing's contacts, one of 53 is not
+    for (int ratio : {50, 53, 60}) {
+        INFO("ratio " << ratio);
+        DesignWishes wishes;
+        wishes.ratio = ratio;
+        wishes.diameter = 0.8 * ratio;
+        wishes.length_ratio = 0.5;
+        std::string const text = scene_text(design_drive(wishes));
+        auto const turned = [&](double side) {
+            std::string const angle = std::to_string(side * 0.7);
+            return study_load(parse_scene(text, "turned", {},
+                                          {"slices.count=3", "contact.flank_points=60", "bearing.circles=3",
+                                           "contact.wave_generator_angle_deg=" + angle}),
+                              at_torque(side * 5 * newton_metre));
+        };
+        LoadStudy const forth = turned(1), back = turned(-1);
+        LoadedState const &a = only(forth), &b = only(back);
+        CHECK(b.twist == Approx(-a.twist).epsilon(1e-6));
+        CHECK(b.largest_force == Approx(a.largest_force).epsilon(1e-5));
+        CHECK(b.wave_generator_torque == Approx(-a.wave_generator_torque).epsilon(1e-5));
+        CHECK(b.lobe_force == Approx(a.lobe_force).epsilon(1e-6));
+        CHECK(b.lobe_force_across == Approx(-a.lobe_force_across).epsilon(1e-5));
+        CHECK(b.largest_stress == Approx(a.largest_stress).epsilon(1e-5));
+        CHECK(back.cases.front().backlash == Approx(forth.cases.front().backlash).epsilon(1e-6).margin(1e-9));
+    }
+}
+
 TEST_CASE("the stiffness at the rated torque does not depend on the other torques", "[load]")
 {
     auto const rated = [](int points, bool curve) {

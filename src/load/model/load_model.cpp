@@ -127,7 +127,7 @@ LoadModel load_model(contact::ContactContext const& context, LoadGrid const& res
     int const highest = highest_harmonic(resolution, around);
 
     elastic::CupSection const section = drive::cup_section(scene, context.geometry.flexspline_inner_radius);
-    PlacedBearing const placed = placed_bearing(context, resolution.circles, around);
+    PlacedBearing const placed = placed_bearing(context, resolution.circles, around, highest);
     double const middle = placed.bearing.middle;
     elastic::MeshSize const size = elastic::contact_mesh_size(section, placed.bearing.width, resolution.circles);
     elastic::FourierSolid solid(elastic::section_mesh(section, elastic::in_layers(size, section, resolution.layers)));
@@ -179,12 +179,11 @@ ElasticDrive drive_at(LoadModel const& model, contact::ContactContext const& con
     RingGrid const around = ring_grid(context.scene);
     ElasticDrive drive = model.drive;
     drive.phase = phase;
-    drive.bearing_steps.clear();
     drive.outer_ring.reset();
     drive.balls.reset();
     drive.between_balls.reset();
-    add_wave_generator(drive, placed_bearing(context, resolution.circles, around), context, around,
-                       highest_harmonic(resolution, around));
+    int const highest = highest_harmonic(resolution, around);
+    add_wave_generator(drive, placed_bearing(context, resolution.circles, around, highest), context, around, highest);
     if (drive.between_balls)
         drive.bearing_compliance = bearing_compliance(drive, context.threads);
     return drive;

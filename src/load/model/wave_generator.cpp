@@ -16,7 +16,7 @@
 namespace hdconj::load {
 namespace {
 
-constexpr int most_angles = 128;  // of the wave generator's contact in one sector
+constexpr int most_angles = 128;  // of the wave generator's contact on one lobe
 
 /// The shape of the cam with its errors, as series over one sector.
 elastic::CamSeries made_cam(contact::ContactContext const& context, int sectors, int samples)
@@ -28,6 +28,33 @@ elastic::CamSeries made_cam(contact::ContactContext const& context, int sectors,
         w.push_back(context.shape(angle).w + (deviation ? deviation(angle).out : 0));
     }
     return elastic::cam_series(w, sectors, !deviation && context.shape.even());
+}
+
+/// The largest number of equal parts of a lobe of @p angles, at most @p most.
+int equal_parts(int angles, int most)
+{
+    int parts = std::min(angles, most);
+    while (angles % parts != 0)
+        --parts;
+    return parts;
+}
+
+/// Whether @p parts serve as well as @p most.
+bool enough(int parts, int most)
+{
+    return 10 * parts >= 7 * most;
+}
+
+/// @p count of a lobe's @p angles, as even as these allow, which mirror themselves about the first.
+std::vector<int> mirrored_steps(int angles, int count)
+{
+    if (angles % 2 == 1 && count % 2 == 0)
+        --count;  // an even number has one in the middle, where there is no angle
+    auto const rounded = [&](int i) { return (2 * i * angles + count) / (2 * count); };
+    std::vector<int> steps;
+    for (int i = 0; i < count; ++i)
+        steps.push_back(2 * i <= count ? rounded(i) : angles - rounded(count - i));
+    return steps;
 }
 
 /// Angles of the bearing's contacts in the order of ElasticDrive::bearing_steps [rad].
@@ -102,10 +129,25 @@ std::vector<HarmonicResponse> responses(elastic::Influence const& influence)
     return result;
 }
 
-PlacedBearing placed_bearing(contact::ContactContext const& context, int circles, RingGrid const& around)
+std::vector<int> bearing_steps(RingGrid const& around, int highest)
+{
+    int const in_sector = around.lobes / around.sectors, angles = around.angles() / in_sector;
+    // More angles than the harmonics resolve would leave the compliance singular.
+    int const most = std::min({angles, most_angles, 2 * (highest / around.lobes)});
+    int const equal = equal_parts(angles, most);
+    std::vector<int> const lobe = mirrored_steps(angles, enough(equal, most) ? equal : most);
+    std::vector<int> steps;
+    for (int i = 0; i < in_sector; ++i)
+        for (int const step : lobe)
+            steps.push_back(i * angles + step);
+    return steps;
+}
+
+PlacedBearing placed_bearing(contact::ContactContext const& context, int circles, RingGrid const& around, int highest)
 {
     Scene const& scene = context.scene;
-    PlacedBearing result{drive::bearing_of(scene), {}, 2 * std::numbers::pi / around.sectors / around.angles(), {}, {}};
+    double const contacts = static_cast<double>(around.sectors * bearing_steps(around, highest).size());
+    PlacedBearing result{drive::bearing_of(scene), {}, 2 * std::numbers::pi / contacts, {}, {}};
     BearingChoice const& choice = *scene.bearing;
     result.bearing.cam_oversize -= choice.clearance / 2;  // of radii
     if (choice.ball_diameter)
@@ -130,30 +172,33 @@ PlacedBearing placed_bearing(contact::ContactContext const& context, int circles
 void add_wave_generator(ElasticDrive& drive, PlacedBearing const& placed, contact::ContactContext const& context,
                         RingGrid const& around, int highest)
 {
-    int const sectors = around.sectors, grid = around.angles();
-    int const samples = 2 * (highest / sectors);
-    // More angles than the harmonics resolve would leave the compliance singular.
-    int const angles = std::min({grid, most_angles * (around.lobes / sectors), samples});
-    for (int i = 0; i < angles; ++i)
-        drive.bearing_steps.push_back(static_cast<int>(static_cast<long>(i) * grid / angles));
-    std::vector<double> const phi = contact_angles(drive.bearing_steps, drive.phase, placed.spread);
+    int const sectors = around.sectors, samples = 2 * (highest / sectors);
+    drive.bearing_steps = bearing_steps(around, highest);
+    std::vector<double> const phi = contact_angles(drive.bearing_steps, drive.phase, drive.response->step());
     elastic::BearingSurface const surface =
         elastic::bearing_surface(placed.bearing, context.geometry.flexspline_inner_radius,
                                  made_cam(context, sectors, samples), placed.circles, context.threads);
     drive.needed = unloaded_surface(surface, sectors, phi);
     if (surface.compliance)
-        add_ring(drive, placed, surface, context, around, std::min(samples, most_angles), phi);
+        add_ring(drive, placed, surface, context, around, std::min(samples, most_angles * (around.lobes / sectors)),
+                 phi);
 }
 
 RingGrid ring_grid(Scene const& scene)
 {
-    constexpr int fewest_angles = 96;  // of the wave generator's contact on one lobe
+    constexpr int fewest_angles = 96;  // on one lobe
+    constexpr int tries = 4;
     int const teeth = scene.drive.flexspline_teeth;
     int const lobes = std::gcd(teeth, scene.wave_generator.waves);
     int const repeats = errors_repeat(scene, lobes) ? lobes : 1;
     int const sectors = scene.bearing && scene.bearing->balls ? std::gcd(repeats, *scene.bearing->balls) : repeats;
-    int const per_lobe = teeth / lobes;
-    return {lobes, sectors, teeth / sectors, (fewest_angles + per_lobe - 1) / per_lobe};
+    int const per_lobe = teeth / lobes, fewest = (fewest_angles + per_lobe - 1) / per_lobe;
+    int const contacts = std::min(most_angles, 2 * (LoadRequest().harmonics / lobes));
+    int steps = fewest;
+    for (int more = fewest + tries - 1; more >= fewest; --more)
+        if (enough(equal_parts(per_lobe * more, contacts), contacts))
+            steps = more;
+    return {lobes, sectors, teeth / sectors, steps};
 }
 
 }  // namespace hdconj::load

@@ -28,19 +28,27 @@ struct RingGrid
     [[nodiscard]] int highest_harmonic() const { return angles() * sectors / 2; }
 };
 
+/// So many that the bearing's contacts can be even among them, where few do.
 [[nodiscard]] RingGrid ring_grid(Scene const& scene);
+
+/// Angles of a sector at which the bearing may press on the cup: even where nearly as many as harmonics up to
+/// @p highest resolve part a lobe evenly, else as even as the angles allow. Steps of the grid. They are their own
+/// mirror image, so that a mirrored drive has the mirrored balance.
+[[nodiscard]] std::vector<int> bearing_steps(RingGrid const& around, int highest);
 
 /// The scene's bearing with the places where it presses on the cup.
 struct PlacedBearing
 {
     elastic::Bearing bearing;
-    std::vector<double> circles;           ///< heights of its contacts above the cup's bottom [mm]
-    double spread;                         ///< angle over which one of its forces acts: a step of the grid [rad]
+    std::vector<double> circles;  ///< heights of its contacts above the cup's bottom [mm]
+    double spread;                ///< angle over which one of its forces acts: to the next one on the average [rad]
     std::optional<double> ball_stiffness;  ///< of a single ball without its ring [N/mm]
     std::optional<double> ball_constant;   ///< k of F = k d^1.5 of a ball in its grooves [N/mm^1.5]
 };
 
-[[nodiscard]] PlacedBearing placed_bearing(contact::ContactContext const& context, int circles, RingGrid const& around);
+/// @param highest  harmonic
+[[nodiscard]] PlacedBearing placed_bearing(contact::ContactContext const& context, int circles, RingGrid const& around,
+                                           int highest);
 
 /// The compliance matrices of @p influence, harmonic by harmonic.
 [[nodiscard]] std::vector<HarmonicResponse> responses(elastic::Influence const& influence);

@@ -44,7 +44,7 @@ std::vector<double> carried_over(std::vector<FlankContact> const& before, std::v
 FlankSearch search_of(LoadProblem const& problem, ContactChoice const& choice, double turn, double limit)
 {
     FlankSearch search = flank_search(problem, turn, limit, choice.depth);
-    search.wide_edges = choice.wide_edges;
+    search.in_middle = choice.in_middle;
     return search;
 }
 

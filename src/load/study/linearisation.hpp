@@ -11,9 +11,9 @@ namespace hdconj::load {
 /// How contacts are chosen.
 struct ContactChoice
 {
-    double depth = 1;         ///< of the strips, as a multiple of the standard one
-    bool hold = false;        ///< loaded contacts stay where their minimum of the gap vanishes
-    bool wide_edges = false;  ///< of FlankSearch
+    double depth = 1;        ///< of the strips, as a multiple of the standard one
+    bool hold = false;       ///< loaded contacts stay where their minimum of the gap vanishes
+    bool in_middle = false;  ///< of FlankSearch
 
     [[nodiscard]] bool operator==(ContactChoice const&) const = default;
 };

@@ -30,10 +30,11 @@ struct Attempt
 
 /// Where two strips of a flank are about to merge, or one of two minima to vanish, the iteration alternates between one
 /// contact and two; it does not where contacts are held, or with another depth. Mixing leads back to an unstable
-/// equilibrium for ever; without it the next stable one is reached. Where the gap hardly changes between an edge and
-/// the flank beside it, the least gap jumps from one to the other; the middle of the strip does not. Where a flank fits
-/// over a long stretch with two minima, strips that are narrow enough make two contacts of them. From an
-/// equilibrium that has only just become unstable the iteration moves away in small steps: the last attempt has many.
+/// equilibrium for ever; without it the next stable one is reached. Where two places of one strip have nearly the same
+/// gap, as an edge and the flank beside it, the least gap jumps from one to the other; the middle of the strip does
+/// not. Where a flank fits over a long stretch with two minima, strips that are narrow enough make two contacts of
+/// them. From an equilibrium that has only just become unstable the iteration moves away in small steps: the last
+/// attempt has many.
 constexpr Attempt attempts[] = {{{1}, 3, 25},
                                 {{0.5}, 3, 25},
                                 {{1, true}, 3, 40},
