@@ -81,7 +81,7 @@ Design design_drive(DesignWishes const& wishes, std::function<void(std::string c
         talk("radial deformation and tip circle");
     design::MeshedSheet const made = design::mesh_under_torque(wishes, talk);
     if (!made.works())
-        throw InputError(design::nearest_wishes(wishes, made));
+        throw InputError(design::nearest_wishes(wishes, made, talk));
     Design result;
     result.wishes = wishes;
     result.rows = made.rows();

@@ -72,12 +72,14 @@ Faults nearest_mesh(DesignWishes const& wishes, MeshChoice const& failed)
     return faults;
 }
 
+constexpr int two = 2;  // digits of a torque
+
 /// The largest torque of two digits below the one asked for that the cup of @p failed stands, or one near it; nothing
 /// where its stress is too much without torque already, or where none is found in a few trials. The stress grows about
 /// evenly with the torque, so that each trial says at which torque it would be the allowed one.
-std::optional<double> nearest_torque(DesignWishes wishes, MeshedSheet const& failed)
+std::optional<double> torque_with_wall(DesignWishes wishes, MeshedSheet const& failed)
 {
-    constexpr int most_trials = 8, two = 2;
+    constexpr int most_trials = 8;
     constexpr double margin = 0.95;
     // sixteen times that of type-50 for the same stress: what is far above tells nothing
     double const far = 16 * 28 * newton_metre * std::pow(failed.sheet["d_r"] / 50, 3);
@@ -107,6 +109,43 @@ std::optional<double> nearest_torque(DesignWishes wishes, MeshedSheet const& fai
     return stands;
 }
 
+/// The torque at which the stress in the best of the walls of @p failed would be the allowed one, if it grew evenly
+/// with the torque; 0 where that cannot be told. Another wall than the one with the least stress may stand more of a
+/// smaller torque.
+double torque_of_walls(DesignWishes const& wishes, MeshedSheet const& failed)
+{
+    double const allowed = allowed_stress(wishes);
+    double most = 0;
+    for (WallTrial const& each : failed.walls)
+        if (!each.interferes && each.assembled <= allowed && each.loaded > allowed)
+            most = std::max(most, *wishes.torque * (allowed - each.assembled) / (each.loaded - each.assembled));
+    return most;
+}
+
+/// The largest torque of two digits that a few trials of all walls find, each told to @p talk.
+std::optional<double> nearest_torque(DesignWishes wishes, MeshedSheet const& failed, Talk const& talk)
+{
+    constexpr int most_halvings = 3;
+    constexpr double enough = 0.05;
+    std::optional<double> stands = torque_with_wall(wishes, failed);
+    double const expected = torque_of_walls(wishes, failed);
+    double too_much = *wishes.torque;
+    auto const try_torque = [&](double torque) {
+        if (torque <= stands.value_or(0) || torque >= too_much)
+            return false;
+        wishes.torque = torque;
+        bool const works = mesh_under_torque(wishes, talk).works();
+        (works ? stands.emplace() : too_much) = torque;
+        return works;
+    };
+    bool found = false;
+    for (double const part : {0.98, 0.9, 0.75})
+        found = found || try_torque(rounded(part * expected, two));
+    for (int i = 0; found && i < most_halvings && too_much - *stands > enough * *stands; ++i)
+        try_torque(rounded((*stands + too_much) / 2, two));
+    return stands;
+}
+
 /// The weakest steel of the table that stands the stress @p most with the safety of the wishes; nothing where none
 /// does, or where another modulus would change the stress.
 std::optional<std::string> stronger_steel(DesignWishes const& wishes, double most)
@@ -120,7 +159,7 @@ std::optional<std::string> stronger_steel(DesignWishes const& wishes, double mos
     return best ? std::optional(best->name) : std::nullopt;
 }
 
-Faults nearest_load(DesignWishes const& wishes, MeshedSheet const& failed)
+Faults nearest_load(DesignWishes const& wishes, MeshedSheet const& failed, Talk const& talk)
 {
     WallTrial const& last = failed.walls.back();
     bool const is_bent_too_far = last.assembled > allowed_stress(wishes);  // without torque
@@ -130,7 +169,7 @@ Faults nearest_load(DesignWishes const& wishes, MeshedSheet const& failed)
     if (last.interferes)
         return {{"--length-ratio", 0, short_number(wishes.length_ratio), reason,
                  "write a larger one, whose cup cones less, a smaller --land or another --family"}};
-    if (auto const torque = nearest_torque(wishes, failed))
+    if (auto const torque = nearest_torque(wishes, failed, talk))
         faults.push_back(fault_of("--torque", short_number(*wishes.torque / newton_metre), reason,
                                   short_number(*torque / newton_metre)));
     constexpr double hundredths = 100;
@@ -149,9 +188,9 @@ Faults nearest_load(DesignWishes const& wishes, MeshedSheet const& failed)
 
 }  // namespace
 
-Faults nearest_wishes(DesignWishes const& wishes, MeshedSheet const& failed)
+Faults nearest_wishes(DesignWishes const& wishes, MeshedSheet const& failed, Talk const& talk)
 {
-    return failed.mesh.best ? nearest_load(wishes, failed) : nearest_mesh(wishes, failed.mesh);
+    return failed.mesh.best ? nearest_load(wishes, failed, talk) : nearest_mesh(wishes, failed.mesh);
 }
 
 }  // namespace hdconj::design

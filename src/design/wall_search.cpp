@@ -162,7 +162,7 @@ void add_root_clearance(MeshedSheet& made)
 
 }  // namespace
 
-MeshedSheet mesh_under_torque(DesignWishes const& wishes, std::function<void(std::string const&)> const& talk)
+MeshedSheet mesh_under_torque(DesignWishes const& wishes, Talk const& talk)
 {
     MeshedSheet best = mesh_with_wall(wishes);
     if (!wishes.torque || !best.mesh.best)

@@ -9,6 +9,9 @@
 
 namespace hdconj::design {
 
+/// Is told what is computed; empty: nobody listens.
+using Talk = std::function<void(std::string const&)>;
+
 /// Dimensions of the wishes, with the wall @p wall over the pitch diameter.
 [[nodiscard]] Sheet sheet_of(DesignWishes const& wishes, double wall, ConeNeed const& cone = {});
 
@@ -34,8 +37,7 @@ struct MeshedSheet
 
 /// The same, and with a torque the stress of study_load() keeps the safety, with a side clearance, a tip circle and a
 /// root clearance that leave the coned cup clear. Where no wall does, the one with the least stress comes last.
-[[nodiscard]] MeshedSheet mesh_under_torque(DesignWishes const& wishes,
-                                            std::function<void(std::string const&)> const& talk);
+[[nodiscard]] MeshedSheet mesh_under_torque(DesignWishes const& wishes, Talk const& talk);
 
 /// Stress of the cup with the dimensions of @p made under the torque of the wishes, and what its cone needs.
 [[nodiscard]] WallTrial stress_of(MeshedSheet const& made, DesignWishes const& wishes);

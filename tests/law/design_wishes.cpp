@@ -145,6 +145,25 @@ TEST_CASE("with a torque the wall keeps the safety, and a larger torque is refus
     }
 }
 
+TEST_CASE("a torque that another wall stands than the one with the least stress is named", "[design]")
+{
+    DesignWishes wishes;
+    wishes.ratio = 56;
+    wishes.diameter = 44.8;
+    wishes.length_ratio = 0.5;
+    wishes.torque = 60 * newton_metre;
+    try {
+        (void)design_drive(wishes);
+        FAIL("60 N m are too much for this cup");
+    } catch (InputError const& error) {
+        REQUIRE(error.faults().front().path == "--torque");
+        std::string const remedy = error.faults().front().remedy;
+        wishes.torque = std::stod(remedy.substr(remedy.rfind(' '))) * newton_metre;
+        CHECK(*wishes.torque > 50 * newton_metre);
+        CHECK_NOTHROW(design_drive(wishes));
+    }
+}
+
 TEST_CASE("without a torque steels of the same stiffness make the same drive", "[design]")
 {
     DesignWishes wishes;
