@@ -177,6 +177,7 @@ struct WireProgram
     std::optional<TiltKind> tilt_kind;    ///< nothing where the teeth are not tilted
     WireFigures figures;                  ///< what a shop wants to know
     Notes judgement;                      ///< of the design, as far as it is known
+    std::vector<std::string> notes;       ///< what the contour has in place of the scene's numbers, as solve tells it
     std::vector<std::string> warnings;    ///< no failures, but a shop should read them
     std::vector<std::string> left_out;    ///< dialects that nobody named and that cannot hold the program, and why
 
@@ -203,14 +204,16 @@ using WireSetUps = std::vector<WireProgram>;
 /// do not refuse a drive for its wire.
 [[nodiscard]] Faults check_wedm(Scene const& scene);
 
-/// The scene whose solution has the faces. Its face width is the workpiece's thickness. Where the faces differ it has
-/// slices, a middle one among them; for "per-slice" as many as @p scene, at least 3. Each face is a slice of the true
-/// surface; the lower one is that at z = -T/2.
+/// The scene whose solution has the toothing that is cut. Where its ends differ it has slices over the face width b, a
+/// middle one among them; for "per-slice" as many as @p scene, at least 3. Without a face width that is the workpiece's
+/// thickness T.
 [[nodiscard]] Scene wire_scene(Scene const& scene);
 
 /// Solves wire_scene(scene) and makes the program of all passes, checked (checks.hpp).
 ///
-/// The lower face z = 0 of the workpiece is the slice at -T/2 of the drive, the upper one that at +T/2. Each pass is
+/// The lower face z = 0 of the workpiece is at -T/2 of the drive, the upper one at +T/2. Where T is the face width b
+/// the faces are the first and the last slice; those of a thicker workpiece go on along the straight rulings that join
+/// these, so that the toothing is the same. Each pass is
 /// the parallel of both faces in their planes at wire_diameter/2 + spark_gap + stock, measured square to the wire, so
 /// that the ellipse which a leaning wire cuts in a face touches the contour; thinned to `tolerance`. All spaces are
 /// turned copies of one; every pass begins on a tip land.
@@ -218,14 +221,14 @@ using WireSetUps = std::vector<WireProgram>;
 /// @throws NumericalError the drive cannot be solved, or a check failed: all failures in one message
 [[nodiscard]] WireProgram wire_program(Scene const& scene, StageObserver const& on_stage = {});
 
-/// The same with an outline that was solved before, its slices from -T/2 to +T/2.
-/// @throws InputError also where the slices are not those of the workpiece's faces
+/// The same with an outline that was solved before, its slices from -b/2 to +b/2.
+/// @throws InputError also where the slices are not those of the face width
 [[nodiscard]] WireProgram wire_program(Scene const& scene, CircularSplineOutline const& outline);
 
 /// What a ring that was solved before has in place of the one that is cut, in words: side clearance, tip circle, tilt,
 /// and how far its ends are off the contour [um]. Lengths closer than the contour's error are the same. Where the side
 /// clearance is known, also which keys of the scene give that ring. Empty where both are the same.
-/// @param ring            the other one, its slices from -T/2 to +T/2
+/// @param ring            the other one, its slices within the thickness of the workpiece
 /// @param side_clearance  that @p ring includes [mm]; nothing: not known
 /// @param scene           that @p cut was made of
 /// @param cut             what the wire cuts

@@ -32,15 +32,17 @@ struct WireDialect
 /// Those that can be written of @p program.
 [[nodiscard]] std::vector<std::string> fitting_dialects(WireProgram const& program);
 
-/// A dialect whose own grid or lengths of files, which no key of the scene changes, have no room for a program.
+/// A dialect whose grid or lengths of files have no room for a program.
 struct UnfitDialect
 {
-    std::string name;   ///< of the dialect
-    std::string place;  ///< "pass 1, block 67 (contour, tooth 151)"
-    std::string cause;  ///< why the program does not fit
+    std::string name;                            ///< of the dialect
+    std::string place;                           ///< "pass 1, block 67 (contour, tooth 151)"
+    std::string cause;                           ///< why the program does not fit
+    std::optional<int> decimals = std::nullopt;  ///< of wedm.decimals with which it does; nothing: none helps
 };
 
-/// Those of @p dialects (empty: of all that fit the kind of part) that cannot hold all of @p programs. Blocks that a
+/// Those of @p dialects with limits of their own, which no key of the scene changes, that cannot hold all of
+/// @p programs; empty: of all that fit the kind of part, those with the grid of wedm.decimals among them. Blocks that a
 /// grid loses cannot be joined to their neighbours: moves are already as long as the tolerance lets them be.
 [[nodiscard]] std::vector<UnfitDialect> unfit_dialects(WireSetUps const& programs,
                                                        std::vector<std::string> const& dialects = {});

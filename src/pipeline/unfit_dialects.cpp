@@ -73,8 +73,9 @@ void settle_unfit_dialects(WireSetUps& programs, Scene const& scene, std::vector
     for (auto const& unfit : unfit_dialects(programs, dialects)) {
         if (dialects.empty()) {
             programs.front().left_out.push_back(
-                fmt::format("dialect {}: {}: {}; --dialect {} says which tolerance fits, if one does", unfit.name,
-                            unfit.place, unfit.cause, unfit.name));
+                fmt::format("dialect {}: {}: {}; {}", unfit.name, unfit.place, unfit.cause,
+                            unfit.decimals ? fmt::format("with wedm.decimals = {} it is written", *unfit.decimals)
+                                           : fmt::format("--dialect {} says what to write for it", unfit.name)));
             continue;
         }
         auto const tolerance = fitting_tolerance(scene, dialects, outline);

@@ -18,7 +18,8 @@ std::optional<wedm::WireFaces> reached_faces(Scene scene)
         return {};
     scene.circular_spline.root_clearance = 0;
     try {
-        return wedm::wire_faces(solve(wire_scene(scene)).circular_spline, scene.drive.circular_spline_teeth);
+        return wedm::wire_faces(solve(wire_scene(scene)).circular_spline, scene.drive.circular_spline_teeth,
+                                wedm::thickness_of(scene));
     } catch (InputError const&) {
         return {};
     } catch (NumericalError const& error) {
@@ -31,7 +32,8 @@ std::optional<wedm::WireFaces> reached_faces(Scene scene)
 WireProgram spline_program(Scene const& scene, CircularSplineOutline const& outline)
 {
     wedm::check_slices(scene, outline);
-    wedm::WireJob const job(scene, wedm::wire_faces(outline, scene.drive.circular_spline_teeth));
+    wedm::WireJob const job(scene,
+                            wedm::wire_faces(outline, scene.drive.circular_spline_teeth, wedm::thickness_of(scene)));
     auto const passes = wedm::pitch_passes(job);
     if (wedm::leaves_too_much(job, passes))
         throw InputError(wedm::residual_fault(job, passes, reached_faces(scene)));
@@ -65,6 +67,7 @@ WireProgram wire_program(Scene const& scene, StageObserver const& on_stage)
     program.cup_error = solution.error.cup;
     program.contour_error += solution.error.side_clearance;
     program.judgement = solution.judgement;
+    program.notes = solution.notes;
     return program;
 }
 

@@ -674,7 +674,8 @@ std::vector<KeySpec> wedm()
         {choice<WirePart>("part", "what is cut; the flexspline in two set-ups of half its teeth each", false),
          "\"circular-spline\"", to<&Scene::wedm, &WireRequest::part>, "circular-spline"},
         {optional("thickness", Q::positive_length,
-                  "of the workpiece, its middle at z = 0; absent: circular_spline.width, for the flexspline "
+                  "of the workpiece, its middle at z = 0; beyond the toothing its faces go on along the straight "
+                  "rulings; absent: circular_spline.width, for the flexspline "
                   "flexspline.cup.tooth_width where there is a cup",
                   -infinity, bounds::largest_workpiece),
          "7.0", to<&Scene::wedm, &WireRequest::thickness>},

@@ -13,7 +13,7 @@ namespace hdconj::wedm {
 /// A true section of the part between the faces.
 struct SectionBetween
 {
-    double share = 0;          ///< height z/T above the lower face, 0 ... 1
+    double share = 0;          ///< height above the lower face over T, 0 ... 1
     std::vector<Vec2> points;  ///< (n) point for point with the faces [mm]
 };
 
@@ -50,8 +50,11 @@ inline void mark_flank(WireFaces& faces, std::size_t first, std::size_t last)
 [[nodiscard]] std::vector<Vec2> with_neighbours(std::vector<Vec2> const& points, WireFaces const& faces,
                                                 std::size_t more);
 
-/// One pitch of both faces from the first and last slice of @p outline. Only one slice: both faces are that.
-[[nodiscard]] WireFaces wire_faces(CircularSplineOutline const& outline, int teeth);
+/// One pitch of both faces of a workpiece from the slices of @p outline, the first and last at the ends of the
+/// toothing. Only one slice: both faces are that. Beyond the toothing the faces go on along the straight rulings that
+/// join its ends, and the ends are sections between the faces.
+/// @param thickness  of the workpiece, its middle at z = 0; at least that of the toothing [mm]
+[[nodiscard]] WireFaces wire_faces(CircularSplineOutline const& outline, int teeth, double thickness);
 
 /// One pitch of the flexspline as it is made, round and without load: its tooth at the radius r_m of the neutral
 /// circle, and between two teeth the root, an arc about the axis through the lowest points of both (where they are at

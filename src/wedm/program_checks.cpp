@@ -154,9 +154,10 @@ WireFailures check_machine(MachineLimits const& limits, WireProgram& program)
     check(figures.tilt, limits.tilt,
           "the wire would be tilted by {:.6g} rad, and the machine tilts it by {:.6g} rad at most "
           "(wedm.largest_tilt_deg)");
-    check(
-        figures.travel, limits.travel,
-        "a guide would travel {:.6g} mm from the start hole, and the machine {:.6g} mm at most (wedm.largest_travel)");
+    check(figures.travel, limits.travel,
+          "a guide would travel {:.6g} mm from the start hole, and the machine {:.6g} mm at most "
+          "(wedm.largest_travel); a "
+          "start hole nearer to the axis, of a longer wedm.lead_in, needs less inside a ring");
     check(figures.uv_travel, limits.uv_travel,
           "the upper guide would stand {:.6g} mm off the lower one along an axis, and the machine moves it by {:.6g} "
           "mm at most (wedm.largest_uv_travel)");
@@ -189,7 +190,8 @@ WireFailures check_start(WireProgram const& program)
             if (!(way >= pass.offset - program.tolerance))
                 failures.push_back(
                     fmt::format("start: lead-in or lead-out of pass {} come within {:.6g} mm of the part in the {} "
-                                "face, and the offset is {:.6g} mm",
+                                "face, and the offset is {:.6g} mm: write another wedm.overlap, at whose end the way "
+                                "to the start hole is free, or a shorter wedm.lead_in",
                                 pass.number, way, face, pass.offset));
         }
     }
@@ -223,6 +225,14 @@ std::vector<std::string> skim_warnings(WireProgram const& program)
     return warnings;
 }
 
+/// Largest angle by which rounding turns a block of @p length whose ends are each half a @p unit off along both axes
+/// [rad]: then they are off by sqrt(2) units against each other, and a block that is no longer may point anywhere.
+double largest_turn(double length, double unit)
+{
+    double const off = std::numbers::sqrt2 * unit;
+    return off < length ? std::asin(off / length) : std::numbers::pi;
+}
+
 std::vector<std::string> short_block_warnings(WireProgram const& program)
 {
     double const least = least_block(program.decimals), unit = least / least_units;
@@ -239,9 +249,9 @@ std::vector<std::string> short_block_warnings(WireProgram const& program)
         if (count > 0)
             warnings.push_back(fmt::format(
                 "{} blocks of pass {} are shorter than {:g} units of the last digit in a face or at a guide, down to "
-                "{:.3g} mm: rounding turns that one by up to {:.3g} deg; more wedm.decimals or a coarser "
-                "wedm.tolerance avoids it",
-                count, pass.number, least_units, shortest, std::atan2(std::numbers::sqrt2 * unit, shortest) / deg));
+                "{:.3g} mm: rounding turns that one by up to {:.3g} deg; write a larger wedm.decimals, or a coarser "
+                "wedm.tolerance where wedm.surface_limit leaves room for it",
+                count, pass.number, least_units, shortest, largest_turn(shortest, unit) / deg));
     }
     return warnings;
 }

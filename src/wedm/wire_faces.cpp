@@ -6,6 +6,7 @@
 
 #include "faces.hpp"
 #include "hdconj/base/rigid_motion.hpp"
+#include "hdconj/base/tolerance.hpp"
 #include "hdconj/error.hpp"
 #include "offset_path.hpp"
 
@@ -71,9 +72,25 @@ void trim(WireFaces& faces)
     faces.pitch = trimmed.path;
 }
 
+/// Continues the straight rulings of @p faces from the ends of the toothing, at the heights @p first and @p last, to
+/// the faces of a workpiece of @p thickness with its middle at z = 0. The ends become sections between the faces.
+void continue_to_faces(WireFaces& faces, double first, double last, double thickness)
+{
+    double const width = last - first, half = thickness / 2;
+    for (SectionBetween& between : faces.between)
+        between.share = (first + between.share * width + half) / thickness;
+    faces.between.insert(faces.between.begin(), {(first + half) / thickness, faces.pitch.lower});
+    faces.between.push_back({(last + half) / thickness, faces.pitch.upper});
+    for (std::size_t i = 0; i < faces.pitch.size(); ++i) {
+        Vec2 const slope = (faces.pitch.upper[i] - faces.pitch.lower[i]) / width;
+        faces.pitch.lower[i] -= (first + half) * slope;
+        faces.pitch.upper[i] += (half - last) * slope;
+    }
+}
+
 }  // namespace
 
-WireFaces wire_faces(CircularSplineOutline const& outline, int teeth)
+WireFaces wire_faces(CircularSplineOutline const& outline, int teeth, double thickness)
 {
     WireFaces faces;
     faces.teeth = teeth;
@@ -93,6 +110,9 @@ WireFaces wire_faces(CircularSplineOutline const& outline, int teeth)
     for (std::size_t k = 1; k + 1 < outline.outline.size(); ++k)
         faces.between.push_back({(outline.z[k] - outline.z.front()) / (outline.z.back() - outline.z.front()),
                                  reversed(outline.outline[k])});
+    bool const differ = outline.outline.size() > 1;
+    if (differ && thickness - (outline.z.back() - outline.z.front()) > Tolerance{thickness, thickness}.coincidence())
+        continue_to_faces(faces, outline.z.front(), outline.z.back(), thickness);
     trim(faces);
     // where corners alone touch, a flank begins and ends in one point
     faces.marks.erase(std::unique(faces.marks.begin(), faces.marks.end()), faces.marks.end());

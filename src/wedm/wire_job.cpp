@@ -35,12 +35,10 @@ int wire_teeth(Scene const& scene)
     return cuts_flexspline(scene) ? scene.drive.flexspline_teeth : scene.drive.circular_spline_teeth;
 }
 
-/// Of the workpiece [mm]; 0: not stated.
-double thickness_of(Scene const& scene)
+/// Face width of the circular spline, or of the workpiece where none is stated [mm].
+double toothed_width(Scene const& scene)
 {
-    bool const of_cup = cuts_flexspline(scene) && scene.flexspline.cup;
-    double const width = of_cup ? scene.flexspline.cup->tooth_width : scene.circular_spline.width.value_or(0);
-    return scene.wedm->thickness.value_or(width);
+    return scene.circular_spline.width.value_or(thickness_of(scene));
 }
 
 /// Tilt of the part's teeth [rad].
@@ -118,9 +116,10 @@ void check_path(Scene const& scene, Faults& faults)
     double const radius = scene.drive.module * teeth / 2;
     bool const outside = cuts_flexspline(scene);
     double const around = std::numbers::pi * radius * (outside ? 0.5 : 1);
-    if (!outside && wire.lead_in > radius)
+    double const tips = scene.circular_spline.inner_radius.value_or(radius);
+    if (!outside && wire.lead_in > tips)
         add_fault(faults, "wedm.lead_in", "the lead-in would begin beyond the middle of the bore",
-                  fmt::format("write at most {:.6g}, such as 3.0", radius));
+                  fmt::format("write at most {:.6g}, such as 3.0", tips));
     if (wire.start >= teeth)
         add_fault(faults, "wedm.start", fmt::format("there are {} tooth spaces, counted from 0", teeth),
                   fmt::format("write a whole number from 0 to {}", teeth - 1));
@@ -165,6 +164,7 @@ WireJob::WireJob(Scene const& scene, WireFaces part_faces) : faces(std::move(par
     machine = {thickness_of(scene), wire.lower_guide, wire.upper_guide};
     contour_error = scene.solver.tolerance;
     if (faces.pitch.lower != faces.pitch.upper) {
+        contour_error *= machine.thickness / toothed_width(scene);  // rulings go on beyond the toothing
         surface = scene.slices ? scene.slices->surface : ToothSurface::tilted;
         if (tilt_of(scene) != 0)
             tilt_kind = scene.tilt->kind;
@@ -172,6 +172,13 @@ WireJob::WireJob(Scene const& scene, WireFaces part_faces) : faces(std::move(par
     Faults keys{fault_at("wedm.wire_diameter", "", "")};
     scene::locate(keys, scene);
     wire_key = keys.front();
+}
+
+double thickness_of(Scene const& scene)
+{
+    bool const of_cup = cuts_flexspline(scene) && scene.flexspline.cup;
+    double const width = of_cup ? scene.flexspline.cup->tooth_width : scene.circular_spline.width.value_or(0);
+    return scene.wedm->thickness.value_or(width);
 }
 
 void refuse_wire_faults(Scene const& scene)
@@ -189,13 +196,13 @@ bool cuts_flexspline(Scene const& scene)
 
 void check_slices(Scene const& scene, CircularSplineOutline const& outline)
 {
-    double const half = thickness_of(scene) / 2, tolerance = scene.solver.tolerance;
+    double const half = toothed_width(scene) / 2, tolerance = scene.solver.tolerance;
     bool const single = outline.outline.size() == 1 && !faces_differ(scene);
     bool const ends = outline.z.size() > 1 && outline.z.size() == outline.outline.size() &&
                       std::abs(outline.z.front() + half) <= tolerance && std::abs(outline.z.back() - half) <= tolerance;
     if (!single && !ends)
         throw InputError(
-            fault_at("wedm.thickness",
+            fault_at("circular_spline.width",
                      fmt::format("the outline that was solved has no slices at z = -{0:.6g} and +{0:.6g} mm", half),
                      "solve it with [slices] over that width, or let wedm solve it"));
 }
@@ -235,7 +242,7 @@ Scene wire_scene(Scene const& scene)
 {
     Scene wanted = scene;
     wanted.contact.reset();
-    wanted.circular_spline.width = wedm::thickness_of(scene);
+    wanted.circular_spline.width = wedm::toothed_width(scene);
     bool const automatic = scene.circular_spline.automatic_backlash;
     if (!wedm::faces_differ(scene)) {
         // An automatic side clearance looks at the slices.

@@ -35,8 +35,11 @@ void refuse_wire_faults(Scene const& scene);
 /// Whether the flexspline is the part.
 [[nodiscard]] bool cuts_flexspline(Scene const& scene);
 
-/// Slices of @p outline that are not the faces make another part.
-/// @throws InputError where the outer ones do not stand at the faces of the workpiece
+/// Thickness of the workpiece [mm]; 0: not stated.
+[[nodiscard]] double thickness_of(Scene const& scene);
+
+/// Slices of @p outline that are not those of the toothing make another part.
+/// @throws InputError where the outer ones do not stand at the ends of the face width
 void check_slices(Scene const& scene, CircularSplineOutline const& outline);
 
 }  // namespace hdconj::wedm

@@ -382,7 +382,7 @@ TEST_CASE("wedm leaves out the dialect whose grid is too coarse for the toleranc
     auto const all = wedm("--tilt 0.2 --set circular_spline.backlash_offset=0.01 -o a", folder);
     CHECK(all.status == 0);
     CHECK_THAT(all.out, ContainsSubstring("left out: dialect 3b: grid of 0.001 mm: " + cause) &&
-                            ContainsSubstring("--dialect 3b says which tolerance fits"));
+                            ContainsSubstring("--dialect 3b says what to write for it"));
     CHECK(all.out.find("WARNING") == std::string::npos);  // nothing is wrong with the part
     auto const named = wedm("--tilt 0.2 --dialect 3b -o b", folder);
     CHECK(named.status == 1);
@@ -440,10 +440,17 @@ TEST_CASE("wedm: where more decimals keep a block the message says how many", "[
     std::string const all =
         "--tilt 0.8 --set tilt.kind=draft --set wedm.surface_limit=0.005 --set wedm.wire_diameter=0.05 --set "
         "wedm.tolerance=2e-4 --quiet -o b ";
-    CHECK_THAT(wedm(all, folder).err, ContainsSubstring("xyuv-guide, pass 1, block ") &&
-                                          ContainsSubstring("write wedm.decimals = 6, or another dialect"));
-    CHECK(wedm(all + "--decimals 5", folder).status == 1);
-    CHECK(wedm(all + "--decimals 6", folder).status == 0);
+    std::string const named = all + "--dialect xyuv-guide,xyuv-face ";
+    CHECK_THAT(wedm(named, folder).err, ContainsSubstring("xyuv-guide, pass 1, block ") &&
+                                            ContainsSubstring("write wedm.decimals = 6, or another dialect"));
+    CHECK(wedm(named + "--decimals 5", folder).status == 1);
+    CHECK(wedm(named + "--decimals 6", folder).status == 0);
+    // where none was named the others are written, and these are told
+    auto const rest = wedm(all.substr(0, all.find("--quiet")) + "-o c", folder);
+    CHECK(rest.status == 0);
+    CHECK_THAT(rest.out, ContainsSubstring("left out: dialect xyuv-face: pass 1, block ") &&
+                             ContainsSubstring("with wedm.decimals = 6 it is written"));
+    CHECK(std::filesystem::exists(folder / "c" / "type-50_path.csv"));
 }
 
 TEST_CASE("wedm that fails leaves the folder as it was", "[wedm]")

@@ -85,6 +85,7 @@ std::string summary_json(WireSetUps const& programs, std::vector<WireFile> const
     result["checks"] =
         program.tolerance > 0 ? report::figures_object(figures::wire_check_figures(), first) : Json(nullptr);
     result["warnings"] = figures::wire_warnings(program, files);
+    result["notes"] = program.notes;
     result["left_out"] = program.left_out;
     result["judgement"] = io::json_of(program.judgement);
     result["set_ups"] = report::list_of(programs, report::set_up_object);

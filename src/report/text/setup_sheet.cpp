@@ -165,6 +165,9 @@ SheetTable check_table(WireSetUps const& programs, MeasuredProgram const& first,
             table.rows.push_back({std::exchange(label, ""), line});
     if (warnings.empty())
         table.rows.push_back({"warnings", "none"});
+    for (auto const& note : first.program.notes)
+        for (std::string label = "note"; auto const& line : broken(note))
+            table.rows.push_back({std::exchange(label, ""), line});
     return table;
 }
 

@@ -181,6 +181,7 @@ std::string summary_text(WireSetUps const& programs, std::vector<WireFile> const
     report::write_checks(page, first);
     for (auto const& warning : figures::wire_warnings(first.program, files))
         page.line("  WARNING: {}", warning);
+    report::write_notes(page, first.program.notes);
     report::write_judgement(page, first.program.judgement);
     report::write_wire_files_list(page, files);
     for (auto const& dialect : first.program.left_out)

@@ -184,7 +184,8 @@ std::vector<UnfitDialect> unfit_dialects(WireSetUps const& programs, std::vector
     std::vector<UnfitDialect> unfit;
     for (auto const& post : wedm::wire_posts()) {
         bool const fits = !post.dialect.only_untilted || std::ranges::all_of(programs, is_untilted);
-        if (!fits || !post.own_limits || (!dialects.empty() && !is_in(dialects, post.dialect.name)))
+        // A dialect with the scene's own grid that is named tells the decimals to write.
+        if (!fits || (!dialects.empty() && (!post.own_limits || !is_in(dialects, post.dialect.name))))
             continue;
         for (auto const& program : programs) {
             try {
@@ -192,8 +193,9 @@ std::vector<UnfitDialect> unfit_dialects(WireSetUps const& programs, std::vector
             } catch (NumericalError const& cause) {
                 if (cause.code() != ErrorCode::no_room)
                     throw;
-                if (dialects.empty() || !fitting_decimals({post}, programs)) {
-                    unfit.push_back({std::string(post.dialect.name), cause.place(), cause.cause()});
+                auto const decimals = fitting_decimals({post}, programs);
+                if (dialects.empty() || !decimals) {
+                    unfit.push_back({std::string(post.dialect.name), cause.place(), cause.cause(), decimals});
                     break;
                 }
             }

@@ -11,8 +11,10 @@
 #include "hdconj/wedm.hpp"
 #include "support/catch.hpp"
 #include "support/polyline.hpp"
+#include "wedm/checks.hpp"
 #include "wedm/faces.hpp"
 #include "wedm/planes.hpp"
+#include "wedm/segment_grid.hpp"
 
 namespace hdconj::test::wedm_program_cases {
 
@@ -282,6 +284,66 @@ TEST_CASE("an outline solved before gives the same program", "[wedm]")
     CHECK(again.passes.front().moves.size() == once.passes.front().moves.size());
     // the outline of one slice is no tilted part
     CHECK_THROWS_AS(wire_program(scene, solve(builtin_scene()).circular_spline), InputError);
+}
+
+TEST_CASE("a thicker workpiece has the same toothing", "[wedm]")
+{
+    using Sets = std::vector<std::string>;
+    Sets const cut{"wedm.wire_diameter=0.1", "wedm.spark_gap=0.006", "wedm.surface_limit=0.01"};
+    for (Sets sets :
+         {Sets{"coning.model=linear", "coning.bottom_to_middle=18", "slices.count=3", "slices.surface=ruled"},
+          Sets{"tilt.angle_deg=0.2", "slices.count=3", "circular_spline.backlash_offset=\"auto\""},
+          Sets{"tilt.angle_deg=-0.3", "tilt.kind=draft"}}) {
+        INFO(sets.front());
+        sets.insert(sets.end(), cut.begin(), cut.end());
+        Scene const scene = builtin_scene(sets);
+        double const width = *scene.circular_spline.width, thickness = width + 2;
+        CircularSplineOutline const outline = solve(wire_scene(scene)).circular_spline;
+        wedm::WireFaces const thin = wedm::wire_faces(outline, 202, width),
+                              thick = wedm::wire_faces(outline, 202, thickness);
+        REQUIRE(thick.between.size() == thin.between.size() + 2);
+        auto const section = [&](double z) {
+            std::vector<Vec2> line = thick.pitch.lower;
+            for (std::size_t i = 0; i < line.size(); ++i)
+                line[i] += (z / thickness + 0.5) * (thick.pitch.upper[i] - line[i]);
+            return wedm::SegmentGrid(std::move(line), false);
+        };
+        wedm::SegmentGrid const lower = section(-width / 2), upper = section(width / 2);
+        std::vector<double> off;
+        for (std::size_t i = 0; i < thin.pitch.size(); ++i)
+            if (thin.meshing[i] != 0)
+                off.push_back(std::max(lower.distance(thin.pitch.lower[i]), upper.distance(thin.pitch.upper[i])));
+        // a loop that only the faces of the thick one have is cut off, and with it the rulings there
+        std::ranges::sort(off);
+        CHECK(off[off.size() * 98 / 100] < 1e-12);
+        CHECK(off.back() < scene.wedm->tolerance);
+        // tip circles, side clearance "auto" and the checks between the faces are those of the toothing
+        WireProgram const a = wire_program(scene);
+        sets.push_back("wedm.thickness=" + std::to_string(thickness));
+        WireProgram const b = wire_program(builtin_scene(sets));
+        CHECK(b.notes == a.notes);
+        double const extra = 0.5 * (thickness / width - 1);
+        CHECK(b.figures.lower.inner ==
+              Approx(std::lerp(a.figures.lower.inner, a.figures.upper.inner, -extra)).epsilon(1e-9));
+        CHECK(b.figures.upper.inner ==
+              Approx(std::lerp(a.figures.lower.inner, a.figures.upper.inner, 1 + extra)).epsilon(1e-9));
+        CHECK(b.figures.tilt == Approx(a.figures.tilt).epsilon(0.02));
+        CHECK(b.contour_error >= a.contour_error);
+    }
+}
+
+TEST_CASE("a block that rounding may turn anywhere is said to", "[wedm]")
+{
+    // 0.0001 mm: a block of one unit, whose ends are half a unit off along both axes, may point backwards
+    auto const turns = [](double length) {
+        WireProgram program;
+        program.machine = {1, 1, 1};
+        program.passes = {{}};
+        program.passes[0].moves = {{{0, 0}, {0, 0}}, {{length, 0}, {length, 0}}};
+        return wedm::short_block_warnings(program).front();
+    };
+    CHECK(turns(0.0001).find("by up to 180 deg") != std::string::npos);
+    CHECK(turns(std::numbers::sqrt2 * 0.0002).find("by up to 30 deg") != std::string::npos);
 }
 
 TEST_CASE("a pitch of the flexspline is its profile on the round neutral circle and the root's arc", "[wedm]")
