@@ -26,11 +26,9 @@ void write_with(Solution& out, contact::ContactStudyData& data, SurfaceSpec cons
             surface::write_outlines(out, data.maker->outline(spec, tip, sampling), data.tooth, z, spec.surface);
         return;
     }
-    Scene scene = contact::middle_scene(data.scene);
-    scene.circular_spline.backlash_offset = side_clearance;
-    scene.circular_spline.inner_radius = tip;
-    conjugate::SolvedPlane solved = contact::solved_plane(std::move(scene), {}, std::nullopt, data.middle.cup);
-    Solution& base = solved.solution;
+    conjugate::SolvedPlane const solved =
+        contact::plane_with_clearance(data.scene, side_clearance, tip, data.middle.cup);
+    Solution const& base = solved.solution;
     out.judgement = base.judgement;
     if (z.size() == 1) {
         out.circular_spline = base.circular_spline;
@@ -38,7 +36,6 @@ void write_with(Solution& out, contact::ContactStudyData& data, SurfaceSpec cons
         out.error.point = base.error.point;
         return;
     }
-    base.scene.coning = data.scene.coning;
     ToothSurfaceBuilder builder(base, *data.maker);
     surface::write_outlines(out, builder.outline(spec, tip, sampling), data.tooth, z, spec.surface);
 }

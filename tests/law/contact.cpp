@@ -5,6 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/Geometry>
+
+#include "contact/clearance/made_flanks.hpp"
+#include "contact/clearance/part_flanks.hpp"
 #include "hdconj/distance/full_turn.hpp"
 #include "support/catch.hpp"
 #include "support/contact_scenes.hpp"
@@ -157,6 +161,65 @@ TEST_CASE("contact law: the flank moved by a side clearance is the flank solved 
             CHECK(worst < 0.2 * offset);
             CHECK(looked + 12 > moved.point[flank][0].size());
         }
+    }
+}
+
+TEST_CASE("contact law: flanks of a ruled surface with a side clearance lie on the outlines that are written",
+          "[law][contact]")
+{
+    constexpr std::size_t slices = 5;
+    for (double const offset : {0.004, 0.04}) {
+        INFO("side clearance " << offset);
+        Keys const keys =
+            with(with({"circular_spline.backlash_offset=" + number(offset)}, coned()), sliced(slices, "ruled"));
+        Solution const written = solve(builtin_scene(keys));
+        double const tip = written.geometry.circular_spline_inner_radius;
+        ConedDrive drive(builtin_scene(keys), slices);
+        contact::CaseSurface const surface(*drive.context, {ToothSurface::ruled, TiltKind::radial, 0});
+        contact::FlankGrid const bare = contact::part_flanks(surface, surface.outline(tip), tip, offset).grid;
+        auto const worst = [&](contact::FlankGrid const& grid) {
+            double most = 0;
+            for (auto const& flank : grid.point)
+                for (std::size_t k = 0; k < slices; ++k)
+                    for (Vec2 const& p : flank[k])
+                        most = std::max(most, distance_to_polyline(written.circular_spline.outline[k], p));
+            return most;
+        };
+        CHECK(worst(contact::made_flanks(surface, bare, tip, offset)) < 2e-6);
+        // slices that are moved along their own normals do not
+        CHECK(worst(contact::moved_into_material(bare, offset)) > 1e-4);
+    }
+}
+
+TEST_CASE("contact law: a ruled flank with a side clearance has the area of the surface that is written",
+          "[law][contact]")
+{
+    for (double const offset : {0.0, 0.04}) {
+        INFO("side clearance " << offset);
+        Keys const keys =
+            with(with({"contact.flank_points=200", "circular_spline.backlash_offset=" + number(offset)}, coned()),
+                 sliced(17, "ruled"));
+        ContactStudy const study = study_contact(builtin_scene(keys));
+        ContactState const& told = study.cases.front().state;
+        auto const& spline = study.solution.circular_spline;
+        // straight lines join the ends: in many more steps than there are slices
+        constexpr int steps = 256;
+        auto const point = [&](int step, int i) {
+            double const share = static_cast<double>(step) / steps;
+            auto const at = static_cast<std::size_t>(i);
+            Vec2 const p = (1 - share) * spline.outline.front()[at] + share * spline.outline.back()[at];
+            return Eigen::Vector3d(p.x(), p.y(), std::lerp(spline.z.front(), spline.z.back(), share));
+        };
+        double area = 0;
+        for (int k = 0; k < steps; ++k)
+            for (int i = spline.landmarks[3]; i < spline.landmarks[4]; ++i) {
+                Eigen::Vector3d const a = point(k, i), b = point(k, i + 1), c = point(k + 1, i),
+                                      d = point(k + 1, i + 1);
+                area += (b + d - a - c).cross(c + d - a - b).norm() / 4;  // by the middle of each patch
+            }
+        area *= 202;
+        INFO(told.flank_area << " +- " << told.flank_area_error << " mm^2, written " << area);
+        CHECK(std::abs(told.flank_area - area) < told.flank_area_error);
     }
 }
 

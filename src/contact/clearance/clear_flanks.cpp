@@ -11,6 +11,7 @@
 #include "contact/study/place_teeth.hpp"
 #include "contact/study/surface_choices.hpp"
 #include "hdconj/error.hpp"
+#include "made_flanks.hpp"
 #include "side_clearance_search.hpp"
 
 namespace hdconj::contact {
@@ -205,7 +206,7 @@ FlankSurface flank_surface(ContactContext const& context, surface::SurfaceSpec c
     Cleared part = clears ? clear_flanks(surface, SliceClearances(context), given)
                           : nominal_part(surface, given, std::max(surface.nominal_tip_radius(), surface.needed_tip()));
     double const offset = std::max(given, part.offset);
-    FlankGrid grid = moved_into_material(std::move(part.flanks.grid), offset);
+    FlankGrid grid = made_flanks(surface, part.flanks.grid, part.tip, offset);
     return {std::move(part.outline), std::move(grid), offset, part.tip};
 }
 

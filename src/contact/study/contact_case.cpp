@@ -12,6 +12,7 @@
 
 #include "contact/clearance/case_errors.hpp"
 #include "contact/clearance/clear_flanks.hpp"
+#include "contact/clearance/made_flanks.hpp"
 #include "contact/clearance/side_clearance_search.hpp"
 #include "contact/clearance/slice_clearance.hpp"
 #include "contact/parallel_trim.hpp"
@@ -143,7 +144,7 @@ void write_least_backlash(CaseSurface const& surface, Cleared const& cleared, do
                           double lever, bool errors, GapsAtRest& rest, ContactCase& result)
 {
     ContactContext const& context = surface.context();
-    FlankGrid const flanks = moved_into_material(cleared.flanks.grid, clearing);
+    FlankGrid const flanks = made_flanks(surface, cleared.flanks.grid, cleared.tip, clearing);
     RefinedFlanks finer(surface, cleared.flanks.grid, flanks, cleared.tip, clearing);
     PlayEstimate const found = play({context, finer, rest, phase_of(context.scene, context.request.wave_generator),
                                      result.least_side_clearance_error, floor, lever, errors},
@@ -164,7 +165,7 @@ void write_contact(CaseSurface const& surface, Cleared const& part, Cleared cons
     double const given = given_clearance(scene);
     FlankGrid const& grid = part.flanks.grid;
     result.side_clearance_increased = !automatic && result.backlash_offset > given;
-    FlankGrid const used = moved_into_material(grid, result.backlash_offset);
+    FlankGrid const used = made_flanks(surface, grid, part.tip, result.backlash_offset);
     RefinedFlanks finer(surface, grid, used, part.tip, result.backlash_offset);
     // a side clearance that is given is what it is
     bool const as_given = result.backlash_offset == given && !automatic;
@@ -212,7 +213,7 @@ FlankSurface used_surface(ContactContext const& context, surface::SurfaceSpec co
     Cleared part =
         used_part(surface, clearances, rest, clear_flanks(surface, clearances, given_clearance(context.scene)),
                   phase_of(context.scene, context.request.wave_generator));
-    FlankGrid grid = moved_into_material(std::move(part.flanks.grid), part.offset);
+    FlankGrid grid = made_flanks(surface, part.flanks.grid, part.tip, part.offset);
     return {std::move(part.outline), std::move(grid), part.offset, part.tip};
 }
 
@@ -226,7 +227,7 @@ double share_of(ContactContext const& context, surface::SurfaceSpec const& spec,
     double const phase = phase_of(context.scene, context.request.wave_generator);
     GapsAtRest rest;
     Cleared const part = used_part(surface, clearances, rest, std::move(cleared), phase);
-    FlankGrid const used = moved_into_material(part.flanks.grid, part.offset);
+    FlankGrid const used = made_flanks(surface, part.flanks.grid, part.tip, part.offset);
     RefinedFlanks finer(surface, part.flanks.grid, used, part.tip, part.offset);
     return contact_state({context, finer, rest, phase, 0, 0, 0, false}, used, nullptr).contact_fraction;
 }

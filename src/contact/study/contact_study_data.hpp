@@ -59,6 +59,19 @@ inline void require_planes(Scene const& scene, std::vector<double> const& z)
     return plane;
 }
 
+/// The pair at z = 0 with a side clearance and a tip circle [mm], from which outlines with both are made; with the cone
+/// of @p scene. @param cup  as solved_plane() has it
+[[nodiscard]] inline conjugate::SolvedPlane plane_with_clearance(Scene const& scene, double side_clearance, double tip,
+                                                                 std::shared_ptr<elastic::BentCup const> cup)
+{
+    Scene middle = middle_scene(scene);
+    middle.circular_spline.backlash_offset = side_clearance;
+    middle.circular_spline.inner_radius = tip;
+    conjugate::SolvedPlane plane = solved_plane(std::move(middle), {}, std::nullopt, std::move(cup));
+    plane.solution.scene.coning = scene.coning;
+    return plane;
+}
+
 /// Owns the data shared by all cases of a study.
 struct ContactStudyData
 {

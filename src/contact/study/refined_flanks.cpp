@@ -19,8 +19,8 @@ struct Between
 };
 
 /// The flanks @p bare with @p parts intervals in place of each between two slices. The surface is straight there: one
-/// outline moved along its radii, or the lines of a ruled surface. Its normals turn, along which the
-/// side clearance is laid.
+/// outline moved along its radii, whose normals turn, along which the side clearance is laid; or the lines of a ruled
+/// surface, which has it.
 FlankGrid between_slices(FlankGrid const& bare, int parts, double width)
 {
     FlankGrid finer = bare;
@@ -93,6 +93,8 @@ FlankGrid const& RefinedFlanks::operator()(int parts)
 
 FlankGrid RefinedFlanks::made(int parts) const
 {
+    if (surface_.is_ruled_on_cone())
+        return between_slices(grid_, parts, surface_.context().width);
     if (!solved_anew() && !surface_.is_drafted())
         return moved_into_material(between_slices(bare_, parts, surface_.context().width), offset_);
     CaseSurface finer = surface_;
