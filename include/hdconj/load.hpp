@@ -166,7 +166,7 @@ struct CatalogueFigures
 struct UnsettledTorque
 {
     double torque = 0;  ///< [N mm]
-    std::string cause;  ///< in words
+    std::string cause;  ///< in words, with what can be done
 };
 
 /// One surface of the circular spline under load.

@@ -123,9 +123,9 @@ void add_ring(BearingSurface& surface, Bearing const& bearing, double inner_radi
 
 }  // namespace
 
-void refuse_bearing(std::string const& place, std::string const& cause)
+void refuse_bearing(std::string const& place, std::string const& cause, std::string const& remedy)
 {
-    throw NumericalError(ErrorCode::unsuitable_body, "bearing", place, cause);
+    throw NumericalError(ErrorCode::unsuitable_body, "bearing", place, cause, remedy);
 }
 
 double CamSeries::at(double phi) const

@@ -79,7 +79,7 @@ struct BearingSurface
 };
 
 /// @throws NumericalError about the bearing, always
-[[noreturn]] void refuse_bearing(std::string const& place, std::string const& cause);
+[[noreturn]] void refuse_bearing(std::string const& place, std::string const& cause, std::string const& remedy = {});
 
 /// Circles across the bearing's width: @p count of them, edges included; one in the middle for a width of 0.
 [[nodiscard]] std::vector<double> bearing_circles(Bearing const& bearing, int count);

@@ -34,7 +34,8 @@ std::vector<int> released(std::vector<bool> const& off)
     refuse_bearing(
         "balls",
         "the balls that touch do not hold the outer ring, or hold it from one side only: the bearing is too loose, or "
-        "has too few balls where the cam pushes");
+        "has too few balls where the cam pushes",
+        "write more bearing.balls, or a smaller bearing.clearance");
 }
 
 /// The contacts of a ring among those of a problem: the last ones.

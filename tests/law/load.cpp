@@ -10,9 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "base/text.hpp"
 #include "hdconj/contact.hpp"
 #include "hdconj/design_files.hpp"
 #include "hdconj/error.hpp"
+#include "hdconj/load_files.hpp"
 #include "hdconj/read_scene.hpp"
 #include "hdconj/solve.hpp"
 #include "hdconj/units.hpp"
@@ -349,6 +351,12 @@ TEST_CASE("torques beyond what the teeth can carry are marked, and the others st
         CHECK(std::abs(each.torque) > found.curve[found.rated].torque);
         CHECK_FALSE(each.cause.empty());
     }
+    // the text says which torque the figures are of
+    std::string const text = summary_text(study, {}, nullptr);
+    std::string const torque = short_number(found.curve[found.rated].torque / newton_metre) + " N m";
+    CHECK_THAT(text, Catch::Contains("at " + torque + ": there is no balance at 4000 N m"));
+    CHECK_THAT(text, Catch::Contains("twist at " + torque + " of "));
+    CHECK(text.find("bearing, at 4000 N m") == std::string::npos);
 }
 
 TEST_CASE("many balls are a continuous row of balls", "[load][balls]")
@@ -451,6 +459,48 @@ TEST_CASE("estimates bound the distance to a fine grid", "[load][errors]")
     LoadStudy const two = study_load(quick({"slices.count=2"}), at_torque(20 * newton_metre));
     CHECK_FALSE(two.cases.front().estimated);
     CHECK(two.cases.front().curve_error.empty());
+}
+
+TEST_CASE("errors contain what grids agree on by chance", "[load][errors]")
+{
+    DesignWishes wishes;
+    wishes.ratio = 77;
+    wishes.diameter = 50;
+    std::string const text = scene_text(design_drive(wishes));
+    auto const with_slices = [&](char const* count) {
+        return study_load(parse_scene(text, "designed", {},
+                                      {count, "slices.surface=tilted", "circular_spline.backlash_offset=0.105"}),
+                          at_torque(28 * newton_metre));
+    };
+    LoadStudy const coarse = with_slices("slices.count=9"), fine = with_slices("slices.count=17");
+    LoadedState const &a = only(coarse), &b = only(fine), &error = coarse.cases.front().error;
+    CHECK(std::abs(b.wave_generator_torque - a.wave_generator_torque) < error.wave_generator_torque);
+    CHECK(std::abs(b.lobe_force_across - a.lobe_force_across) < error.lobe_force_across);
+    // neither of two lines, nor their knee, is known better than the worse line
+    LoadOptions curve;
+    curve.torque = 28 * newton_metre;
+    StiffnessStages const stages =
+        study_load(builtin_scene({"slices.count=9", "circular_spline.backlash_offset=0.075"}), curve)
+            .cases.front()
+            .stages;
+    CHECK(stages.second_error / stages.second >= 0.999 * stages.first_error / stages.first);
+    CHECK(stages.knee_error / stages.knee >= 0.999 * stages.first_error / stages.first);
+}
+
+TEST_CASE("members in series, which are known, leave the error of the lost motion", "[load][errors]")
+{
+    auto const lost_motion = [](Keys const& more) {
+        LoadOptions options;
+        options.torque = 20 * newton_metre;
+        options.points = 5;
+        CatalogueFigures const found = *study_load(quick(more), options).cases.front().catalogue;
+        return std::pair(found.lost_motion, found.lost_motion_error);
+    };
+    auto const alone = lost_motion({}),
+               with = lost_motion({"compliance.flange=200000", "compliance.shaft=25000", "compliance.hub=300000"});
+    double const compliance = 1e-3 * (1 / 200000.0 + 1 / 25000.0 + 1 / 300000.0);  // rad/(N mm)
+    CHECK(with.first == Approx(alone.first + 2 * 0.04 * 20 * newton_metre * compliance).epsilon(1e-9));
+    CHECK(with.second == Approx(alone.second).epsilon(1e-6));
 }
 
 TEST_CASE("the coning of three slices is within its error of that of many", "[load][errors]")

@@ -126,10 +126,14 @@ LoadedState error_of(LoadedState const& a, std::vector<LoadedState> const& coars
         d.edge_fraction = std::max(d.edge_fraction, std::min(1.0, d.twist / std::abs(a.twist)) * a.edge_fraction);
     if (a.flank_pressure == 0)
         d.flank_pressure = a.largest_pressure;
+    // What the teeth press to one side of the lobe depends on their place, which is no better known than the twist.
+    for (double LoadedState::*const figure : {&LoadedState::wave_generator_torque, &LoadedState::lobe_force_across})
+        if (a.twist != 0)
+            d.*figure = std::max(d.*figure, std::min(1.0, d.twist / std::abs(a.twist)) * std::abs(a.*figure));
     for (int LoadedState::*const number : {&LoadedState::teeth, &LoadedState::balls}) {
         std::vector<int> numbers(coarser.size());
         std::ranges::transform(coarser, numbers.begin(), number);
-        d.*number = count_error(a.*number, numbers, drive.sectors);
+        d.*number = count_error(a.*number, numbers, drive.sectors, safety);
     }
     return d;
 }
@@ -197,13 +201,14 @@ double backlash_error(double width, std::span<double const> coarser, double wall
     return std::max(factor * safety * grid_difference(width, coarser), 2 * steepness * wall / radius);
 }
 
-int count_error(int fine, std::span<int const> coarser, int sectors)
+int count_error(int fine, std::span<int const> coarser, int sectors, double safety)
 {
     if (fine == 0 && std::ranges::all_of(coarser, [](int count) { return count == 0; }))
         return 0;
     int const next = std::abs(fine - coarser[0]),
               before = coarser.size() > 1 ? (std::abs(coarser[0] - coarser[1]) + 1) / 2 : 0;
-    return std::max(sectors, 2 * std::max(next, before));
+    constexpr double factor = 0.5;  // of the safety: twice the difference with nine slices or more
+    return std::max(sectors, static_cast<int>(std::ceil(factor * safety * std::max(next, before))));
 }
 
 double stress_error(double fine, std::span<double const> coarser, double unresolved, double safety)
@@ -241,7 +246,7 @@ void estimate_errors(contact::ContactContext const& context, DriveGrids const& d
     cup.coning_major_error = coning_error(&AssembledCup::coning_major, 0);
     cup.coning_minor_error =
         coning_error(&AssembledCup::coning_minor, std::numbers::pi / context.scene.wave_generator.waves);
-    constexpr double force = 0.8, ball = 0.2;  // they converge faster than the shape
+    constexpr double force = 0.85, ball = 0.25;  // they converge faster than the shape
     cup.wave_generator_force_error = force * safety * difference(&AssembledCup::wave_generator_force);
     cup.ball_force_error = ball * safety * std::max(grid_difference(0, balls), difference(&AssembledCup::ball_force));
     std::vector<double> stress(coarser.size());

@@ -30,9 +30,10 @@ namespace hdconj::load {
 /// Error of a number of teeth or balls that carry force. Whether the one at the border of the zone of contact carries
 /// may depend on rounding, so the error is at least one for each sector. The border itself converges by first order:
 /// from the grid asked for to an infinitely fine one it moves as far as from the next coarser grid to this one, and
-/// half as far as between the two coarser grids. Twice the larger of these is taken.
+/// half as far as between the two coarser grids. Half the safety times the larger of these is taken.
 /// @param sectors  how often the ring repeats itself
-[[nodiscard]] int count_error(int fine, std::span<int const> coarser, int sectors);
+/// @param safety   grid_safety()
+[[nodiscard]] int count_error(int fine, std::span<int const> coarser, int sectors, double safety);
 
 /// Difference of the assembled wall between grids, as grid_difference(): the largest radial one in a slice [mm].
 /// Domain: drives with a coarse grid.

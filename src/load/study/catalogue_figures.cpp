@@ -105,7 +105,7 @@ void add_chord_errors(CurveBranches const& curve, StiffnessStages& stages)
 
 std::optional<CatalogueFigures> catalogue_figures(CatalogueTorques const& torques, CurveBranches const& fine,
                                                   std::vector<CurveBranches> const& coarser, double safety,
-                                                  double relative_twist)
+                                                  double relative_twist, double series)
 {
     std::optional<Slopes> const found = slopes_of(torques, fine);
     if (!found)
@@ -135,7 +135,7 @@ std::optional<CatalogueFigures> catalogue_figures(CatalogueTorques const& torque
     for (Stiffness* const figure : {&result.k1, &result.k2, &result.k3})
         figure->error = relative * figure->value;
     result.lost_motion_error = std::max(lost_motion_factor * safety * grid_difference(found->lost_motion, lost_motion),
-                                        relative_twist * result.lost_motion);
+                                        relative_twist * (result.lost_motion - 2 * torques.lost_motion * series));
     result.estimated = true;
     return result;
 }
@@ -154,6 +154,14 @@ StiffnessStages stages_of(CurveBranches const& fine, std::vector<CurveBranches> 
     }
     if (!coarser.empty())
         add_chord_errors(fine, stages);
+    // Grids may agree by chance in one of them: relative to its size, none gets less than the worse line.
+    double relative = 0;
+    for (std::size_t i = 0; i < 2; ++i)
+        if (stages.*figures_of_stages[i] != 0)
+            relative = std::max(relative, stages.*errors_of_stages[i] / std::abs(stages.*figures_of_stages[i]));
+    for (std::size_t i = 0; i < std::size(figures_of_stages); ++i)
+        stages.*errors_of_stages[i] =
+            std::max(stages.*errors_of_stages[i], relative * std::abs(stages.*figures_of_stages[i]));
     return stages;
 }
 

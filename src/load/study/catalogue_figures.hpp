@@ -19,11 +19,13 @@ struct CurveBranches
 
 /// K1, K2, K3 and lost motion from the states at their torques; nothing where one of them is missing.
 /// @param coarser         the same drive on grids that are each half as fine as the one before; empty: no errors
-/// @param relative_twist  relative error of the twist along the branch, the least of the lost motion
+/// @param relative_twist  relative error of the twist along the branch without members in series, the least of the lost
+///                        motion without these
+/// @param series          compliance of the members in series, which is known [rad/(N mm)]
 [[nodiscard]] std::optional<CatalogueFigures> catalogue_figures(CatalogueTorques const& torques,
                                                                 CurveBranches const& fine,
                                                                 std::vector<CurveBranches> const& coarser,
-                                                                double safety, double relative_twist);
+                                                                double safety, double relative_twist, double series);
 
 /// Two lines through the polygon of the states of `forth`, at even torques: so that they do not depend on where the
 /// states lie. The errors are those of the grid and of the polygon, whose chords cut the bends of the curve. All zero

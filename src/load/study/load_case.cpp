@@ -127,10 +127,11 @@ BranchWithErrors solve_curve(contact::ContactContext const& context, PathsOnGrid
     double const safety = grid_safety(paths.fine.problem.flanks.slices());
     result.stages = stages_of(fine, coarser, safety);
     LoadedState const& state = forth.branch.states.back();
-    double const relative_twist = coarser.empty() ? 0 : forth.errors.back()->twist / std::abs(state.twist);
+    double const of_teeth_and_cup = state.twist - paths.series * state.torque;
+    double const relative_twist = coarser.empty() ? 0 : forth.errors.back()->twist / std::abs(of_teeth_and_cup);
     if (rated == torques.forth.given.back())
-        result.catalogue =
-            catalogue_figures(catalogue_torques(context.scene, rated), fine, coarser, safety, relative_twist);
+        result.catalogue = catalogue_figures(catalogue_torques(context.scene, rated), fine, coarser, safety,
+                                             relative_twist, paths.series);
     return forth;
 }
 

@@ -32,7 +32,8 @@ class BranchSolver
         } catch (NumericalError const& error) {
             if (!error.is_infeasible() && error.code() != ErrorCode::stopped)
                 throw;
-            branch_.unsettled.push_back({torque, error.cause()});
+            std::string const remedy = error.remedy().empty() ? "" : "; " + error.remedy();
+            branch_.unsettled.push_back({torque, error.cause() + remedy});
             if (!first_)
                 first_.emplace(error);
         }

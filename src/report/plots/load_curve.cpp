@@ -101,10 +101,11 @@ bool has_curve(LoadStudy const& study)
 std::string shown_load(LoadStudy const& study)
 {
     auto const* shown = figures::shown_case(study);
+    auto const* state = shown != nullptr ? figures::rated_state(*shown) : nullptr;
     return study.solution.scene.drive.name +
-           (shown == nullptr
+           (state == nullptr
                 ? ""
-                : fmt::format(":  {},  {:.4g} N m", figures::case_name(*shown), study.rated_torque * per_newton_metre));
+                : fmt::format(":  {},  {:.4g} N m", figures::case_name(*shown), state->torque * per_newton_metre));
 }
 
 std::string load_curve_script(LoadStudy const& study, Measurement const* measured)

@@ -57,7 +57,7 @@ void write_members(Page& page, LoadStudy const& study)
     for (auto const& each : study.cases) {
         if (each.members.empty())
             continue;
-        page.line("\ntwist at {} of {}, member by member", rated_torque(study), figures::case_name(each));
+        page.line("\ntwist at {} of {}, member by member", torque_of(each), figures::case_name(each));
         constexpr auto columns = "  {:<28}{:>12}{:>10}{:>10}{:>10}{:>9}";
         page.line(columns, "", "N m/rad", "+-", "arcmin", "+-", "%");
         for (TwistMember const& member : each.members) {

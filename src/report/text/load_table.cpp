@@ -102,7 +102,7 @@ void write_legend(Page& page, LoadStudy const& study)
 void write_load_table(Page& page, LoadStudy const& study)
 {
     // Tilt ends in column 25; the columns of the whole curve follow, then those of the largest torque.
-    page.line("\n{:<25}{:>45}   at {}", "", "", rated_torque(study));
+    page.line("\n{:<25}{:>45}   at {}", "", "", largest_torque(study));
     page.line("  {:<10}{:<7}{:>6}{:>8}{:>10}{:>9}{:>9}{:>9}{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", "surface", "kind",
               "tilt", "offset", "backlash", "K1", "K2", "K3", "twist", "teeth", "contact", "within", "line load",
               "force", "stress");
@@ -111,6 +111,8 @@ void write_load_table(Page& page, LoadStudy const& study)
     for (auto const& each : study.cases) {
         write_values(page, study, each);
         write_errors_of(page, study, each);
+        if (!is_rated(study, each))
+            page.line("    at {}: there is no balance at {}", torque_of(each), rated_torque(study));
     }
     write_legend(page, study);
 }

@@ -24,4 +24,13 @@ void write_members(Page& page, LoadStudy const& study);
 /// "28 N m"
 [[nodiscard]] std::string rated_torque(LoadStudy const& study);
 
+/// Whether the figures of @p each are those of the rated torque. They are those of the largest one with a balance.
+[[nodiscard]] bool is_rated(LoadStudy const& study, LoadCase const& each);
+
+/// The torque whose figures @p each has.
+[[nodiscard]] std::string torque_of(LoadCase const& each);
+
+/// The torque whose figures are told: the rated one, or in words where a case has none at it.
+[[nodiscard]] std::string largest_torque(LoadStudy const& study);
+
 }  // namespace hdconj::report

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.hpp"
 #include "figures/load_figures.hpp"
+#include "hdconj/units.hpp"
 #include "load_table.hpp"
 #include "measured_text.hpp"
 
@@ -108,7 +110,7 @@ std::string pressure_words(LoadStudy const& study, LoadCase const& each, LoadedS
 
 void write_largest(Page& page, LoadStudy const& study)
 {
-    page.line("\nlargest pressure and stress, at {}", rated_torque(study));
+    page.line("\nlargest pressure and stress, at {}", largest_torque(study));
     for (auto const& each : study.cases) {
         auto const* state = figures::rated_state(each);
         if (state == nullptr)
@@ -178,7 +180,7 @@ void write_convergence(Page& page, LoadStudy const& study)
 void write_load_places(Page& page, LoadStudy const& study)
 {
     write_largest(page, study);
-    page.line("\nbearing, at {}", rated_torque(study));
+    page.line("\nbearing, at {}", largest_torque(study));
     for (auto const& each : study.cases)
         if (auto const* state = figures::rated_state(each))
             write_bearing(page, study, each, *state);
@@ -193,6 +195,24 @@ void write_load_places(Page& page, LoadStudy const& study)
 std::string rated_torque(LoadStudy const& study)
 {
     return Told(figures::load_study_figures(), study).with_unit("rated_torque");
+}
+
+bool is_rated(LoadStudy const& study, LoadCase const& each)
+{
+    LoadedState const* const state = figures::rated_state(each);
+    return state == nullptr || state->torque == study.rated_torque;
+}
+
+std::string torque_of(LoadCase const& each)
+{
+    LoadedState const* const state = figures::rated_state(each);
+    return state != nullptr ? short_number(state->torque / newton_metre) + " N m" : "";
+}
+
+std::string largest_torque(LoadStudy const& study)
+{
+    bool const all = std::ranges::all_of(study.cases, [&](LoadCase const& each) { return is_rated(study, each); });
+    return all ? rated_torque(study) : "the largest torque with a balance";
 }
 
 }  // namespace hdconj::report

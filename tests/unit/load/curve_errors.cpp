@@ -14,15 +14,17 @@ using Counts = std::vector<int>;
 
 TEST_CASE("a number of teeth is known to one tooth of each sector, and to twice what grids differ", "[load]")
 {
-    CHECK(load::count_error(54, Counts{54, 54}, 2) == 2);
-    CHECK(load::count_error(54, Counts{54}, 1) == 1);
-    CHECK(load::count_error(54, Counts{46, 42}, 2) == 16);
+    CHECK(load::count_error(54, Counts{54, 54}, 2, 4) == 2);
+    CHECK(load::count_error(54, Counts{54}, 1, 4) == 1);
+    CHECK(load::count_error(54, Counts{46, 42}, 2, 4) == 16);
     // two grids that agree by chance
-    CHECK(load::count_error(54, Counts{54, 44}, 2) == 10);
-    CHECK(load::count_error(54, Counts{54, 45}, 1) == 10);
+    CHECK(load::count_error(54, Counts{54, 44}, 2, 4) == 10);
+    CHECK(load::count_error(54, Counts{54, 45}, 1, 4) == 10);
     // nothing touches on any grid
-    CHECK(load::count_error(0, Counts{0, 0}, 2) == 0);
-    CHECK(load::count_error(0, Counts{2, 0}, 2) == 4);
+    CHECK(load::count_error(0, Counts{0, 0}, 2, 4) == 0);
+    CHECK(load::count_error(0, Counts{2, 0}, 2, 4) == 4);
+    // below nine slices the safety is three times as large
+    CHECK(load::count_error(52, Counts{48}, 2, load::grid_safety(5)) == 24);
 }
 
 TEST_CASE("backlash is known no better than the wall, also where first touches of grids agree", "[load]")
