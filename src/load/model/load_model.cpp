@@ -104,11 +104,6 @@ ElasticDrive cup_with_teeth(contact::ContactContext const& context, elastic::Ela
     return drive;
 }
 
-int highest_harmonic(LoadGrid const& resolution, RingGrid const& around)
-{
-    return std::min(resolution.harmonics, around.highest_harmonic()) / around.sectors * around.sectors;
-}
-
 }  // namespace
 
 LoadGrid load_grid(contact::ContactContext const& context)
@@ -124,10 +119,10 @@ LoadModel load_model(contact::ContactContext const& context, LoadGrid const& res
     Scene const& scene = context.scene;
     RingGrid const around = ring_grid(scene);
     int const sectors = around.sectors, grid = around.angles();
-    int const highest = highest_harmonic(resolution, around);
+    int const highest = highest_harmonic(resolution.harmonics, around);
 
     elastic::CupSection const section = drive::cup_section(scene, context.geometry.flexspline_inner_radius);
-    PlacedBearing const placed = placed_bearing(context, resolution.circles, around, highest);
+    PlacedBearing const placed = placed_bearing(context, resolution.circles, around);
     double const middle = placed.bearing.middle;
     elastic::MeshSize const size = elastic::contact_mesh_size(section, placed.bearing.width, resolution.circles);
     elastic::FourierSolid solid(elastic::section_mesh(section, elastic::in_layers(size, section, resolution.layers)));
@@ -182,8 +177,8 @@ ElasticDrive drive_at(LoadModel const& model, contact::ContactContext const& con
     drive.outer_ring.reset();
     drive.balls.reset();
     drive.between_balls.reset();
-    int const highest = highest_harmonic(resolution, around);
-    add_wave_generator(drive, placed_bearing(context, resolution.circles, around, highest), context, around, highest);
+    int const highest = highest_harmonic(resolution.harmonics, around);
+    add_wave_generator(drive, placed_bearing(context, resolution.circles, around), context, around, highest);
     if (drive.between_balls)
         drive.bearing_compliance = bearing_compliance(drive, context.threads);
     return drive;

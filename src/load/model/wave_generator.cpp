@@ -143,9 +143,15 @@ std::vector<int> bearing_steps(RingGrid const& around, int highest)
     return steps;
 }
 
-PlacedBearing placed_bearing(contact::ContactContext const& context, int circles, RingGrid const& around, int highest)
+int highest_harmonic(int asked, RingGrid const& around)
+{
+    return std::min(asked, around.highest_harmonic()) / around.sectors * around.sectors;
+}
+
+PlacedBearing placed_bearing(contact::ContactContext const& context, int circles, RingGrid const& around)
 {
     Scene const& scene = context.scene;
+    int const highest = highest_harmonic(scene.load.value_or(LoadRequest()).harmonics, around);
     double const contacts = static_cast<double>(around.sectors * bearing_steps(around, highest).size());
     PlacedBearing result{drive::bearing_of(scene), {}, 2 * std::numbers::pi / contacts, {}, {}};
     BearingChoice const& choice = *scene.bearing;
@@ -194,10 +200,12 @@ RingGrid ring_grid(Scene const& scene)
     int const sectors = scene.bearing && scene.bearing->balls ? std::gcd(repeats, *scene.bearing->balls) : repeats;
     int const per_lobe = teeth / lobes, fewest = (fewest_angles + per_lobe - 1) / per_lobe;
     int const contacts = std::min(most_angles, 2 * (LoadRequest().harmonics / lobes));
-    int steps = fewest;
-    for (int more = fewest + tries - 1; more >= fewest; --more)
-        if (enough(equal_parts(per_lobe * more, contacts), contacts))
+    int steps = fewest, best = equal_parts(per_lobe * fewest, contacts);
+    for (int more = fewest + 1; more < fewest + tries; ++more)
+        if (int const parts = equal_parts(per_lobe * more, contacts); parts > best && enough(parts, contacts)) {
+            best = parts;
             steps = more;
+        }
     return {lobes, sectors, teeth / sectors, steps};
 }
 

@@ -36,19 +36,21 @@ struct RingGrid
 /// mirror image, so that a mirrored drive has the mirrored balance.
 [[nodiscard]] std::vector<int> bearing_steps(RingGrid const& around, int highest);
 
+/// Of the harmonics up to @p asked the highest one that the ring has.
+[[nodiscard]] int highest_harmonic(int asked, RingGrid const& around);
+
 /// The scene's bearing with the places where it presses on the cup.
 struct PlacedBearing
 {
     elastic::Bearing bearing;
     std::vector<double> circles;  ///< heights of its contacts above the cup's bottom [mm]
-    double spread;                ///< angle over which one of its forces acts: to the next one on the average [rad]
+    double spread;  ///< angle over which one of its forces acts, on coarser grids too: the mean way from one contact
+                    ///< to the next with the harmonics of the scene [rad]
     std::optional<double> ball_stiffness;  ///< of a single ball without its ring [N/mm]
     std::optional<double> ball_constant;   ///< k of F = k d^1.5 of a ball in its grooves [N/mm^1.5]
 };
 
-/// @param highest  harmonic
-[[nodiscard]] PlacedBearing placed_bearing(contact::ContactContext const& context, int circles, RingGrid const& around,
-                                           int highest);
+[[nodiscard]] PlacedBearing placed_bearing(contact::ContactContext const& context, int circles, RingGrid const& around);
 
 /// The compliance matrices of @p influence, harmonic by harmonic.
 [[nodiscard]] std::vector<HarmonicResponse> responses(elastic::Influence const& influence);
