@@ -156,8 +156,7 @@ WireFailures check_machine(MachineLimits const& limits, WireProgram& program)
           "(wedm.largest_tilt_deg)");
     check(figures.travel, limits.travel,
           "a guide would travel {:.6g} mm from the start hole, and the machine {:.6g} mm at most "
-          "(wedm.largest_travel); a "
-          "start hole nearer to the axis, of a longer wedm.lead_in, needs less inside a ring");
+          "(wedm.largest_travel); inside a ring a longer wedm.lead_in, which starts nearer to the axis, needs less");
     check(figures.uv_travel, limits.uv_travel,
           "the upper guide would stand {:.6g} mm off the lower one along an axis, and the machine moves it by {:.6g} "
           "mm at most (wedm.largest_uv_travel)");

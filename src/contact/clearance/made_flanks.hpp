@@ -8,10 +8,10 @@
 namespace hdconj::contact {
 
 /// The flanks @p bare with a side clearance: moved_into_material(), but those of a ruled surface with coning lie on the
-/// straight lines that join the outlines of its end planes, which are moved before they are joined. Moving the slices
-/// between along their own normals would give another surface: lines would join other points, and normals that turn
-/// between the ends are longer than what lies on the lines. Where the outline cannot be made with that side clearance
-/// the slices are moved all the same.
+/// straight lines that join the outlines of its end planes, which are moved before they are joined. Slices between that
+/// are moved along their own normals give another surface: other points of the ends are joined, and where the normals
+/// of the ends differ a line is moved by less than the side clearance. Where the outline cannot be made with that side
+/// clearance the slices are moved all the same.
 /// @param tip             radius of the tip circle at z = 0 [mm]
 /// @param side_clearance  [mm]
 [[nodiscard]] FlankGrid made_flanks(CaseSurface const& surface, FlankGrid const& bare, double tip,

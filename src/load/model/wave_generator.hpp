@@ -28,7 +28,7 @@ struct RingGrid
     [[nodiscard]] int highest_harmonic() const { return angles() * sectors / 2; }
 };
 
-/// So many that the bearing's contacts can be even among them, where few do.
+/// The angles of the teeth, or a few times as many: with those of some that let most contacts of the bearing be even.
 [[nodiscard]] RingGrid ring_grid(Scene const& scene);
 
 /// Angles of a sector at which the bearing may press on the cup: even where nearly as many as harmonics up to
