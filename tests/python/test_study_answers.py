@@ -15,6 +15,7 @@ pytest.importorskip("distributed")
 from hdconj.study import _drive  # noqa: E402
 from hdconj.study.__main__ import print_status  # noqa: E402
 from hdconj.study._expression import Expression  # noqa: E402
+from hdconj.study._optimise import Search  # noqa: E402
 from hdconj.study._pictures import (  # noqa: E402
     draw_all,
     indices_picture,
@@ -293,6 +294,48 @@ def test_a_search_goes_on_where_it_was(search, tmp_path, method):
     again = search(HEAD + TWO, method, 6, tmp_path / "parts").frame
     assert whole.equals(again)
     assert whole["f"].min() < 0.01
+
+
+NARROW = TWO + "[constraints]\ng = { max = 0.0002 }\n"
+
+
+def told(sought, generations):
+    """A search that is told what its drives of NARROW are worth, without workers; what it asked for."""
+    algorithm, asked = Search(sought), []
+    while len(asked) < generations and (units := algorithm.ask()) is not None:
+        asked.append(units)
+        f, g = (((units - centre) ** 2).sum(axis=1) for centre in ((0.3, 0.6), (0.7, 0.6)))
+        algorithm.tell(f[:, None], np.maximum(g - 0.0002, 0) / 0.0002)
+    return asked
+
+
+def test_cmaes_finds_the_drives_that_keep_the_constraints():
+    """No early drive does: how far each is from keeping them leads there."""
+    sought = study.read_recipe(HEAD + NARROW + SEARCH.format("cmaes", 30))
+    asked = told(sought, 30)
+    assert len(asked) == 30 and np.array_equal(asked, told(sought, 30))
+    keeps = [((units - (0.7, 0.6)) ** 2).sum(axis=1) <= 0.0002 for units in asked]
+    assert not any(each.any() for each in keeps[:3]) and keeps[-1].any()
+    best = min(units[kept, 0].min() for units, kept in zip(asked, keeps) if kept.any())
+    assert best == pytest.approx(0.7 - math.sqrt(0.0002), abs=1e-3)
+
+
+def test_cmaes_goes_on_where_no_early_drive_can_be_made():
+    algorithm = Search(study.read_recipe(HEAD + NARROW + SEARCH.format("cmaes", 20)))
+    for _ in range(20):
+        assert algorithm.ask() is not None
+        algorithm.tell(np.full((10, 1), np.nan), np.full(10, 1e30))
+
+
+def test_a_search_that_ends_early_says_so(search, tmp_path, capsys, monkeypatch):
+    own = Search.ask
+    monkeypatch.setattr(Search, "ask", lambda self: own(self) if self.algorithm.n_iter in (None, 1, 2) else None)
+    print_status(search(HEAD + TWO, "cmaes", 5, tmp_path))
+    said = capsys.readouterr().out
+    assert "the search ended after 2 of 5 generations: the drives of CMA-ES differ too little to go on" in said
+    monkeypatch.undo()
+    print_status(search(HEAD + TWO, "cmaes", 5, tmp_path))
+    assert "ended" not in capsys.readouterr().out
 
 
 def test_pareto_set(search, tmp_path):

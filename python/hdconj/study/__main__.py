@@ -63,6 +63,8 @@ def print_status(study: Any) -> None:
         print(f"  {count} {code}")
     if state["seconds_left"]:
         print(f"{state['seconds_left']:.0f} s of one worker left")
+    if "ended" in study.about:
+        print(study.about["ended"])
     if study.recipe.constraints and state["done"]:
         share, low, high = study.yield_of()
         # drives that are chosen are no sample

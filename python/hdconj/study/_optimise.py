@@ -23,6 +23,11 @@ from ._store import Folder, write_whole
 from ._study import Study
 
 WORST = 1e30  # objective and violation of a drive that cannot be made
+# Why an algorithm of pymoo ends before it has made all its generations.
+ENDS = {
+    "nsga2": "NSGA-II makes no drive any more that it has not made before",
+    "cmaes": "the drives of CMA-ES differ too little to go on",
+}
 
 
 def _module(name: str) -> Any:
@@ -40,14 +45,18 @@ class Search:
     def __init__(self, recipe: Recipe) -> None:
         options = recipe.optimise
         population = int(options["population"])
+        self.takes_constraints, self.worst = options["method"] != "cmaes", -np.inf
         self.problem = _module("core.problem").Problem(
-            n_var=len(recipe.keys), n_obj=len(recipe.objectives), n_ieq_constr=1, xl=0.0, xu=1.0
-        )
+            n_var=len(recipe.keys), n_obj=len(recipe.objectives), n_ieq_constr=int(self.takes_constraints), xl=0.0,
+            xu=1.0,
+        )  # fmt: skip
         if options["method"] == "nsga2":
             self.algorithm = _module("algorithms.moo.nsga2").NSGA2(pop_size=population)
         elif options["method"] == "cmaes":
             kind = _module("algorithms.soo.nonconvex.cmaes").CMAES
-            self.algorithm = kind(pop_size=population, sigma=0.25, tolfun=0, tolx=0)
+            # A generation of equal drives, such as of none that can be made, widens the search and does not end it.
+            endless = {"tolfun": 0, "tolx": 0, "tolfunhist": 0, "tolflatfitness": np.inf}
+            self.algorithm = kind(pop_size=population, sigma=0.25, **endless)
             self.algorithm.n_sample_points = population  # of its first generation
         else:
             self.algorithm = _module("algorithms.soo.nonconvex.random_search").RandomSearch(
@@ -64,10 +73,24 @@ class Search:
 
     def tell(self, values: Any, violation: Any) -> None:
         """Takes objectives, all to be as small as possible, and by how much each drive breaks the constraints."""
-        worst = np.where(np.isfinite(values), values, WORST)
-        known = _module("problems.static").StaticProblem(self.problem, F=worst, G=violation[:, None])
-        _module("core.evaluator").Evaluator().eval(known, self.asked)
+        known = {"F": np.where(np.isfinite(values), values, WORST)}
+        if self.takes_constraints:
+            known["G"] = violation[:, None]
+        else:
+            known["F"] = self._penalised(known["F"], violation[:, None])
+        problem = _module("problems.static").StaticProblem(self.problem, **known)
+        _module("core.evaluator").Evaluator().eval(problem, self.asked)
         self.algorithm.tell(infills=self.asked)
+
+    def _penalised(self, values: Any, violation: Any) -> Any:
+        """Objectives in which a drive that breaks a constraint is worse than all so far that keep them.
+
+        pymoo gives CMA-ES the same infinite objective for all drives that break a constraint, which leads nowhere.
+        """
+        keeps = violation == 0
+        self.worst = max(self.worst, float(values[keeps].max(initial=-np.inf)))
+        worst = self.worst if np.isfinite(self.worst) else 0.0
+        return np.where(keeps, values, worst + (abs(worst) or 1.0) * (1 + violation))
 
 
 def violation(study: Study, rows: Any) -> Any:
@@ -112,9 +135,11 @@ def optimise(
         place.part("asked")
         with engine(jobs, scheduler) as client:
             search, first = Search(recipe), 0
+            about.pop("ended", None)
             for generation in range(int(recipe.optimise["generations"])):
                 units = _asked(place, generation, search.ask())
                 if units is None:
+                    about["ended"] = _end_of(recipe, generation)
                     break
                 numbers = range(first, first + len(units))
                 first += len(units)
@@ -131,8 +156,15 @@ def optimise(
                 _tell(search, Study(place.place), numbers)
             if recipe.survivors and not recipe.errors:
                 compute_survivors(client, place, recipe, shard_seconds, progress)
+        place.note(about)
         write_best(Study(place.place))
     return told
+
+
+def _end_of(recipe: Recipe, generation: int) -> str:
+    """What is said of a search that has ended before its last generation."""
+    options = recipe.optimise
+    return f"the search ended after {generation} of {options['generations']} generations: {ENDS[options['method']]}"
 
 
 def _refuse_unfit(recipe: Recipe) -> None:
