@@ -177,6 +177,51 @@ def test_a_share_has_an_interval_where_drives_are_a_sample(run, tmp_path, capsys
     assert "% keep all constraints" in told and ("confidence" in told) == is_sample
 
 
+def test_a_figure_without_a_value_breaks_no_constraint_of_another_one(run, tmp_path, capsys):
+    """Half of the drives have no lnk; those between 0 and 1 keep the limit of fine."""
+    text = (
+        '[vary]\nx = { normal = [0, 1] }\n[sample]\ncount = 128\n[figures]\nlnk = "sqrt(x)"\nfine = "x"\n'
+        "[constraints]\nfine = { max = 1 }\n"
+    )
+    found = run(text, tmp_path)
+    assert found.yield_of()[0] == pytest.approx(0.841, abs=0.01)
+    lacking = int((found.frame["x"] < 0).sum())
+    print_status(found)
+    assert f"128 of 128 drives, 0 that cannot be made, {lacking} that lack a figure\n" in capsys.readouterr().out
+    found.recipe = study.read_recipe(HEAD + text + '[objectives]\nlnk = "min"')
+    assert found.feasible().sum() == ((found.frame["x"] >= 0) & (found.frame["x"] <= 1)).sum()
+
+
+FAILING = """
+[vary]
+"flexspline.wall" = { from = 0.6, to = 0.8 }
+"wave_generator.radial_deformation" = { from = 0.02, to = 0.27 }
+[sample]
+count = 24
+[figures]
+depth = { value = "1000 * solve.space_depth", unit = "um" }
+land = "solve.land_width"
+[objectives]
+depth = "max"
+"""
+
+
+def test_units_and_axes_where_drives_cannot_be_made(run, tmp_path):
+    """The drive in the middle is none of those that can be made: their shards have the units."""
+    found = run(FAILING, tmp_path)
+    assert 0 < (found.frame["code"] == "").sum() < 24 and found.about["first"]
+    assert found.frame.attrs["units"] == {"depth": "um", "land": "mm"}
+    cube = found.to_xarray()
+    assert cube["land"].attrs["units"] == cube["land_error"].attrs["units"] == "mm"
+    assert cube["depth"].attrs["units"] == "um"
+    pane = parallel_picture(found).axes[0]
+    drawn = [line.get_ydata() for line in pane.lines if len(line.get_ydata()) == 3]
+    assert len(drawn) > 1 and np.min(drawn) >= 0 and np.max(drawn) <= 1
+    made = found.frame[found.frame["code"] == ""]["wave_generator.radial_deformation"]
+    ends = [text.get_text() for text in pane.texts[2:4]]
+    assert ends == [f"{made.min():.5g}", f"{made.max():.5g}"]
+
+
 def test_expressions():
     known = {"a.b": 2.0, "c": 3}
     for text in ("1 + 2 * a.b", "-c ** 2 / 4", "max(a.b, c) - min(1, c)", "sqrt(c) * sin(pi / a.b)", "c // 2 + c % 2"):

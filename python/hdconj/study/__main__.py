@@ -57,8 +57,9 @@ def print_status(study: Any) -> None:
     """Prints how far a study is, and its yield where it has constraints."""
     state = study.status()
     total = f" of {state['total']}" if state["total"] is not None else ""
+    lacking = state["failed"].pop("figure", 0)
     print(f"{state['done']}{total} drives, {sum(state['failed'].values())} that cannot be made", end="")
-    print("; running" if state["running"] else "")
+    print(f", {lacking} that lack a figure" * bool(lacking) + "; running" * bool(state["running"]))
     for code, count in sorted(state["failed"].items()):
         print(f"  {count} {code}")
     if state["seconds_left"]:

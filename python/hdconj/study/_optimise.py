@@ -101,7 +101,7 @@ def violation(study: Study, rows: Any) -> Any:
         for limit, over in ((low, low - value), (high, value - high)):
             if np.isfinite(limit):
                 found += np.maximum(over, 0) / (abs(limit) or 1.0)
-    return np.where(np.asarray(rows["code"] == "", dtype=bool) & np.isfinite(found), found, WORST)
+    return np.where(study.made(rows) & np.isfinite(found), found, WORST)
 
 
 @checked

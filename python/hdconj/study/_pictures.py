@@ -19,7 +19,7 @@ _DPI = 140
 
 
 def _label(study: Study, name: str) -> str:
-    unit = study.about.get("units", {}).get(name, "")
+    unit = study.units.get(name, "")
     return f"{name} [{unit}]" if unit not in ("", "1") else name
 
 
@@ -124,7 +124,8 @@ def parallel_picture(study: Study) -> Any:
     figure, panes = _figure(1, 1)
     figure.set_size_inches(1.5 * len(columns) + 2, 4.2)
     pane = panes[0, 0]
-    low, span = study.frame[columns].min(), np.ptp(study.frame[columns].dropna(), axis=0)
+    rows = study.frame[columns].dropna()
+    low, span = rows.min(), np.ptp(rows, axis=0)
     scaled = (np.asarray(best[columns]) - np.asarray(low)) / np.where(span > 0, span, 1)
     for i in range(len(scaled) - 1, -1, -1):
         pane.plot(range(len(columns)), scaled[i], color=BEST if i == 0 else GOOD, lw=1.6 if i == 0 else 0.6)

@@ -49,7 +49,7 @@ class Study:
     def __init__(self, place: str | os.PathLike[str], recipe: Recipe | None = None) -> None:
         self.folder = Folder(place)
         self.about: dict[str, Any] = self.folder.about()
-        """Versions, machine, hash of the scene, units: what study.json says."""
+        """Versions, machine, hash of the scene, units of the drive in the middle: what study.json says."""
         self.recipe: Recipe = recipe or load_recipe(Path(place) / "study.toml")
 
     def _shards(self, part: str) -> Iterator[tuple[Any, dict[str, Any]]]:
@@ -77,15 +77,32 @@ class Study:
         frame = self._read("rows")
         if frame.empty:
             frame = schema_of(self.recipe).empty_table().to_pandas()
-        frame.attrs["units"] = dict(self.about.get("units", {}))
+        frame.attrs["units"] = dict(self.units)
         return frame
+
+    @cached_property
+    def units(self) -> dict[str, str]:
+        """Units of the figures; where the drive in the middle could not be made, those of the rows."""
+        units: dict[str, str] = self.recipe.units | self.about.get("units", {})
+        shards = () if all(name in units for name, _ in self.recipe.figures) else self._shards("rows")
+        return {name: unit for _, about in shards for name, unit in about["units"].items()} | units
 
     def to_pandas(self) -> Any:
         """The same as :attr:`frame`."""
         return self.frame
 
     def to_xarray(self) -> Any:
-        """Rows as an ``xarray.Dataset``: over the keys where the sample is a grid, else over the samples."""
+        """Rows as an ``xarray.Dataset``: over the keys where the sample is a grid, else over the samples.
+
+        Figures and their errors have the attribute ``units``.
+        """
+        found = self._labelled()
+        for name, unit in self.units.items():
+            for variable in (name, f"{name}_error"):
+                found[variable].attrs["units"] = unit
+        return found
+
+    def _labelled(self) -> Any:
         rows = self.frame
         if self.recipe.method == "grid" and self.about["kind"] == "run":
             keys = [key.path for key in self.recipe.keys]
@@ -97,10 +114,15 @@ class Study:
         """Write all rows as text; numbers keep all their digits."""
         self.frame.to_csv(file, index=False)
 
+    def made(self, rows: Any) -> Bools:
+        """Which rows are drives that could be made and have all objectives; other figures may have no value."""
+        has_objectives = rows[list(self.recipe.objectives)].notna().all(axis=1)
+        return np.asarray(rows["code"].isin(("", "figure")) & has_objectives, dtype=bool)
+
     def feasible(self, frame: Any = None) -> Bools:
-        """Which rows are drives that could be made and keep all constraints."""
+        """Which rows are drives that could be made, have all objectives and keep all constraints."""
         rows = self.frame if frame is None else frame
-        good = np.array(rows["code"] == "", dtype=bool)
+        good = self.made(rows).copy()
         for name, (low, high) in self.recipe.constraints.items():
             good &= np.asarray((rows[name] >= low) & (rows[name] <= high), dtype=bool)
         return good
