@@ -80,6 +80,29 @@ BAD = [
     (FLANK, FLANK + '\na = "1 / 0"', "vary.a = 1 / 0: has no value: division by zero"),
     (FLANK, FLANK + '\n"drive.name" = "wave_generator.family"', "wave_generator.family is no number (links compute"),
     (FLANK, FLANK + '\nw = { list = ["a", "b"] }\na = "2 * w"', "vary.a = 2 * w: w is no number"),
+    (
+        FLANK,
+        FLANK + "\n[vary.flexspline]\nwall = { from = 0.6, to = 0.7 }",
+        "vary.flexspline.wall: the key stands in line 5 too (remove one)",
+    ),
+    (
+        FLANK,
+        FLANK + "\nflexspline = { wall = { from = 0.6, to = 0.7 } }",
+        "vary.flexspline.wall: the key stands in line 4 too (remove one)",
+    ),
+    (
+        FLANK,
+        FLANK + '\n[vary.wave_generator]\nradial_deformation = "w"',
+        "vary.wave_generator.radial_deformation = w: unknown name w",
+    ),
+    *(
+        (FLANK, FLANK + f'\n"{name}" = {{ from = 0, to = 1 }}', f"vary.{name}: is no name that an expression can use "
+         f"(write another one, such as {other})")
+        for name, other in (
+            ("pi", "pi_1"), ("sqrt", "sqrt_1"), ("lambda", "lambda_1"), ("a-b", "a_b"), ("1st", "n1st"),
+            ("\u00b5", "\u03bc"),
+        )
+    ),
     (FLANK, FLANK + "\nx = { from = 0, to = HUGE }", "from and to are not two numbers"),
     (FLANK, FLANK + "\nx = { from = 0, to = 1, step = HUGE }", "0... divides no range"),
     (FLANK, FLANK + "\nx = { from = -1.7e308, to = 1.7e308 }", "is too wide (write numbers up to 1e300)"),
@@ -226,6 +249,12 @@ def test_a_grid_has_a_largest_size():
     keys = "\n".join(f"k{i} = {{ from = 0, to = 1, count = 1000 }}" for i in range(9))
     with pytest.raises(hdconj.InputError, match=f"the grid has {10**27} drives, more than 10000000"):
         study.read_recipe(GOOD.replace(FLANK, keys).replace('"sobol"\ncount = 8', '"grid"'))
+
+
+def test_a_link_may_stand_in_a_table_of_its_key():
+    keys = 'w = { list = [0.7] }\n[vary.flexspline]\nwall = "w"\n[vary.solver]\ntolerance = "1e-3 * w"'
+    good = study.read_recipe(GOOD.replace(FLANK, keys))
+    assert [path for path, _ in good.links] == ["flexspline.wall", "solver.tolerance"]
 
 
 def test_large_numbers_are_numbers():

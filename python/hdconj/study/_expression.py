@@ -4,9 +4,12 @@
 from __future__ import annotations
 
 import ast
+import keyword
 import math
 import operator
+import re
 import sys
+import unicodedata
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -90,6 +93,15 @@ class Expression:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Expression, (self.text,)
+
+
+def as_name(word: str) -> str:
+    """A name like a word that an expression reads as itself: the word where it is one."""
+    name = re.sub(r"\W", "_", unicodedata.normalize("NFKC", word))
+    if name[:1].isdigit():
+        name = f"n{name}"
+    taken = keyword.iskeyword(name) or name in _CONSTANTS or name in _FUNCTIONS
+    return f"{name}_1" if taken else name
 
 
 def _name(node: ast.AST) -> str | None:

@@ -16,7 +16,7 @@ from typing import Any
 from .._errors import Fault, InputError, NumericalError, fault_text
 from .._scene import Scene, toml_text
 from ._data_files import contents
-from ._expression import NO_VALUE, Expression
+from ._expression import NO_VALUE, Expression, as_name
 from ._faults import fault_at, lines_of, near, refuse, written
 from ._keys import LAWS, MOST, Key, Value, is_number, read_key
 from ._options import fits, in_words, judged, known_options
@@ -36,7 +36,7 @@ def _specs(tables: Mapping[str, Any], before: str = "") -> Iterator[tuple[str, A
         if (
             isinstance(item, Mapping)
             and not set(item) & set(LAWS)
-            and any(isinstance(inner, Mapping) for inner in item.values())
+            and any(isinstance(inner, (Mapping, str)) for inner in item.values())
         ):
             yield from _specs(item, f"{before}{name}.")
         else:
@@ -132,8 +132,14 @@ class _Reader:
             self.told(
                 "vary", "nothing varies", 'write [vary] and a key, such as "tilt.angle_deg" = { from = 0, to = 1 }'
             )
-        fixed = flat(self.table("set"))
+        fixed, met = flat(self.table("set")), set()
         for path, spec in self.paths("vary", _specs(self.table("vary"))):
+            if path in met:
+                self._twice(f"vary.{path}")
+                continue
+            met.add(path)
+            if "." not in path and (name := as_name(path)) != path:
+                self.told(f"vary.{path}", "is no name that an expression can use", f"write another one, such as {name}")
             if path in fixed:
                 self.told(f"vary.{path}", "the key stands under [set] too", "remove one of them")
             if isinstance(spec, str):
@@ -147,6 +153,13 @@ class _Reader:
             else:
                 self.told(f"vary.{path}", "a single value does not vary", "write it under [set]", spec)
         return keys, links
+
+    def _twice(self, path: str) -> None:
+        """A key that stands in the file twice: quoted, and in a table of its own."""
+        lines = self.text.split("\n")
+        lines[fault_at(self.lines, path, "", "").line - 1] = ""
+        second = fault_at(lines_of("\n".join(lines)), path, "", "").line
+        self.told(path, f"the key stands in line {second} too" if second else "the key is given twice", "remove one")
 
     def ask_names(self, links: Mapping[str, Expression], known: Mapping[str, Any]) -> None:
         """Whether links find their names; keys that are refused themselves are not proposed."""
