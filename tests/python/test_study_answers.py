@@ -228,10 +228,32 @@ def test_expressions():
         meant = {"sqrt": math.sqrt, "sin": math.sin, "pi": math.pi, "c": 3, "max": max, "min": min}
         assert Expression(text)(known) == eval(text.replace("a.b", "2.0"), meant)
     value, error = Expression("a.b * c").with_error(known, {"a.b": 0.1, "c": 0.2})
-    assert value == 6 and error == pytest.approx(0.1 * 3 + 0.2 * 2)
+    assert value == 6 and error == pytest.approx(2.1 * 3.2 - 6)
     assert math.isnan(Expression("a.b * c").with_error(known, {"c": math.nan})[1])
     with pytest.raises(ArithmeticError):
         Expression("9.0 ** 9 ** 9")({})
+
+
+def test_errors_of_figures_change_together():
+    """The error of an expression of several figures bounds what all corners of their intervals give."""
+    known = {name: 1.0 + i for i, name in enumerate("abcdefg")}
+    errors = dict.fromkeys(known, 0.1)
+    for text, error in (
+        ("a * b", 1.1 * 2.1 - 2), ("a / b", 1.1 / 1.9 - 0.5), ("c * (a - b)", 3.1 * 1.2 - 3), ("3 * a", 0.3),
+        ("a + b + c + d + e + f + g", 0.7), ("max(a, b)", 0.1), ("1 / (1 + a ** 2)", 1 / 1.81 - 0.5),
+    ):  # fmt: skip
+        assert Expression(text).with_error(known, errors)[1] == pytest.approx(error, abs=1e-12), text
+    assert math.isnan(Expression("max(b, a)").with_error(known, {"a": math.nan, "b": 0.1})[1])
+
+
+@pytest.mark.parametrize("text", [
+    "1 / a", "b / a", "1 / a ** 2", "1 / abs(a)", "1 / (a * b)", "a ** -1", "1 / (b - c)", "b // a", "b % a", "1 / -a",
+    "1 / sqrt(a + 0.15)", "tan(pi / 2 + a)", "b / (a / c)",
+])  # fmt: skip
+def test_an_error_over_a_pole_is_not_determined(text):
+    """The divisor may be zero, though both of its ends are not."""
+    value, error = Expression(text).with_error({"a": 0.05, "b": 1.0, "c": 1.1}, {"a": 0.2, "b": 0.1, "c": 0.1})
+    assert math.isfinite(value) and math.isnan(error)
 
 
 def test_yield_and_pictures(run, tmp_path):

@@ -10,11 +10,13 @@ import operator
 import re
 import sys
 import unicodedata
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from itertools import product
 from typing import Any
 
 LONGEST = 1000  # characters
 DEEPEST = 100  # operations in each other's operands
+MOST_CORNERS = 6  # names with errors that change together
 _BINARY: dict[type, Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
@@ -49,7 +51,7 @@ class Expression:
         The text is something else; the message says what.
     """
 
-    __slots__ = ("text", "names", "_tree")
+    __slots__ = ("text", "names", "_tree", "_divisors")
 
     def __init__(self, text: str) -> None:
         if len(text) > LONGEST:
@@ -63,27 +65,46 @@ class Expression:
         names: dict[str, None] = {}
         _check(tree, names)
         self.text, self.names, self._tree = text, tuple(names), tree
+        self._divisors = tuple(factor for node in ast.walk(tree) for factor in _divisors(node))
 
     def __call__(self, values: Mapping[str, Any]) -> Any:
         """The value; raises one of :data:`NO_VALUE` where there is none."""
         return _value(self._tree, values)
 
     def with_error(self, values: Mapping[str, Any], errors: Mapping[str, float]) -> tuple[float, float]:
-        """The value and the sum of what the error of each name changes; not a number where an error is unknown."""
+        """The value and what the errors of all names may change; not a number where that is not determined.
+
+        Up to :data:`MOST_CORNERS` names change together, each to both of its ends; of more names each changes alone,
+        and what they change is added. The error is not determined where that of a name is unknown, where an end has
+        no value, and where a divisor changes its sign between the ends.
+        """
         value = float(self(values))
         if self.text.strip() in errors:  # the figure itself, to the last bit
             return value, errors[self.text.strip()]
-        changes = (self._change(value, values, name, errors[name]) for name in self.names if name in errors)
-        return value, sum(changes, 0.0)
+        ends = {n: (values[n] - errors[n], values[n] + errors[n]) for n in self.names if errors.get(n, 0.0) != 0}
+        if any(math.isnan(errors[name]) for name in ends):
+            return value, math.nan
+        if len(ends) <= MOST_CORNERS:
+            return value, self._change(value, values, [dict(zip(ends, corner)) for corner in product(*ends.values())])
+        alone = ([{name: end} for end in pair] for name, pair in ends.items())
+        return value, sum((self._change(value, values, changes) for changes in alone), 0.0)
 
-    def _change(self, value: float, values: Mapping[str, Any], name: str, error: float) -> float:
-        """What the error of a name changes; not a number where that is unknown."""
-        if math.isnan(error):
-            return error
+    def _change(self, value: float, values: Mapping[str, Any], changes: list[dict[str, float]]) -> float:
+        """The largest of some changes; not a number where one has no value or a divisor changes its sign."""
+        largest = 0.0
+        signs = [_sign(node, values) for node in self._divisors]
         try:
-            return max(abs(float(self({**values, name: values[name] + sign * error})) - value) for sign in (-1, 1))
+            for change in changes:
+                changed = {**values, **change}
+                if [_sign(node, changed) for node in self._divisors] != signs:
+                    return math.nan
+                difference = abs(float(self(changed)) - value)
+                if not math.isfinite(difference):
+                    return math.nan
+                largest = max(largest, difference)
         except NO_VALUE:
             return math.nan
+        return largest
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Expression) and other.text == self.text
@@ -143,6 +164,40 @@ def _check(node: ast.AST, names: dict[str, None]) -> None:
             _check(argument, names)
     else:
         raise ValueError(f"{ast.unparse(node)!r} is no arithmetic")
+
+
+def _divisors(node: ast.AST) -> Iterator[ast.expr]:
+    """What must not be zero for an operation to be finite: divisors, bases of powers, cosines of tangents."""
+    if isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Div, ast.FloorDiv, ast.Mod)):
+        yield from _factors(node.right)
+    elif isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow) and _may_be_negative(node.right):
+        yield from _factors(node.left)
+    elif isinstance(node, ast.Call) and _name(node.func) == "tan":
+        yield ast.Call(ast.Name("cos"), node.args, [])
+
+
+def _may_be_negative(power: ast.expr) -> bool:
+    return not (isinstance(power, ast.Constant) and power.value >= 0)  # type: ignore[operator]
+
+
+def _factors(node: ast.expr) -> Iterator[ast.expr]:
+    """Those parts of a divisor that change their sign where it has a zero, as a square itself does not."""
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult):
+        yield from _factors(node.left)
+        yield from _factors(node.right)
+    elif isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Div, ast.Pow)):
+        yield from _factors(node.left)
+    elif isinstance(node, ast.UnaryOp):
+        yield from _factors(node.operand)
+    elif isinstance(node, ast.Call) and _name(node.func) in ("abs", "sqrt") and len(node.args) == 1:
+        yield from _factors(node.args[0])
+    else:
+        yield node
+
+
+def _sign(node: ast.expr, values: Mapping[str, Any]) -> int:
+    value = _value(node, values)
+    return int(value > 0) - int(value < 0)
 
 
 def _value(node: ast.AST, values: Mapping[str, Any]) -> Any:
