@@ -345,8 +345,9 @@ SEARCH = '[optimise]\nmethod = "{}"\npopulation = 10\ngenerations = {}\nseed = 3
 def search(scheduler):
     """Searches for the best drives and opens what was found."""
 
-    def search(text, method, generations, folder):
-        sought = study.read_recipe(text + SEARCH.format(method, generations))
+    def search(text, method, generations, folder, population=10):
+        options = SEARCH.format(method, generations).replace("population = 10", f"population = {population}")
+        sought = study.read_recipe(text + options)
         study.optimise(sought, folder, scheduler=scheduler, progress=False)
         return study.open(folder)
 
@@ -415,6 +416,17 @@ def test_pareto_set(search, tmp_path):
     assert {"front.png", "parallel.png", "tooth.png"} <= {file.name for file in draw_all(found)}
     tooth, space = (line.get_ydata() for line in tooth_picture(found).axes[0].lines[:2])
     assert max(tooth) < max(space)  # the tip is below the root of the space
+
+
+def test_all_of_a_large_pareto_set_are_written(search, tmp_path):
+    """No drive beats another one here; best.toml is the one nearest to the best of both."""
+    text = HEAD + '[vary]\nx = { from = 0, to = 1 }\n"flexspline.wall" = "0.6 + 0.1 * x"\n'
+    text += '[figures]\nf = "x"\ng = "1 / (0.01 + x)"\n[objectives]\nf = "min"\ng = "min"\n'
+    found = search(text, "random", 2, tmp_path, population=125)
+    assert len(list((tmp_path / "pareto").glob("*.toml"))) == len(found.frame) == 250
+    f, g = ((found.frame[name] - found.frame[name].min()) / np.ptp(found.frame[name]) for name in "fg")
+    wanted = found.recipe.scene_of(found.values(found.frame.iloc[int((f * f + g * g).argmin())]))
+    assert hdconj.Scene.load(tmp_path / "best.toml").to_toml() == wanted.to_toml()
 
 
 def test_a_search_that_finds_nothing_leaves_no_best(search, tmp_path):

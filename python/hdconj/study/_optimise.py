@@ -226,7 +226,7 @@ def write_best(study: Study) -> list[Path]:
 
     Those of a search before are removed. Nothing is written where no drive keeps all constraints.
     """
-    best = study.best(200)
+    best = study.best(max(len(study.frame), 1))
     folder = study.folder.place
     files = [folder / "best.toml"]
     for old in (folder / "pareto").glob("*.toml"):
@@ -237,12 +237,11 @@ def write_best(study: Study) -> list[Path]:
     values = study.objectives(best)[0]
     spread = np.ptp(values, axis=0)
     distance = ((values - values.min(axis=0)) / np.where(spread > 0, spread, 1)) ** 2
-    scenes = [study.recipe.scene_of(study.values(row)) for row in best.to_dict("records")]
-    nearest = int(distance.sum(axis=1).argmin())
-    study.folder.write_scene(files[0], scenes[nearest])
+    nearest = best.iloc[int(distance.sum(axis=1).argmin())]
+    study.folder.write_scene(files[0], study.recipe.scene_of(study.values(nearest)))
     if len(study.recipe.objectives) > 1:
         pareto = study.folder.part("pareto")
-        for number, scene in zip(best["sample"], scenes):
-            files.append(pareto / f"sample-{int(number):06d}.toml")
-            study.folder.write_scene(files[-1], scene)
+        for row in best.to_dict("records"):
+            files.append(pareto / f"sample-{int(row['sample']):06d}.toml")
+            study.folder.write_scene(files[-1], study.recipe.scene_of(study.values(row)))
     return files
