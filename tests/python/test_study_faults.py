@@ -72,6 +72,12 @@ BAD = [
     (FLANK, '"flexspline.wall" = { nominal = 900, tolerance = "h6" }', "nominal = 900 is no size"),
     (FLANK, FLANK + '\n"tilt.angle_deg" = "2 * flexspline.wal"', "unknown name flexspline.wal (write flexspline.wall)"),
     (FLANK, FLANK + '\n"tilt.angle_deg" = "2 *"', "no expression: invalid syntax"),
+    (FLANK, FLANK + '\n"tilt.angle_deg" = "2 + tilt.x^2"', "^ is no operation (write 2 + tilt.x ** 2)"),
+    (
+        FLANK,
+        FLANK + '\n"slices.count" = "4 * flexspline.wall"',
+        "vary.slices.count = 2.8: takes whole numbers only (write round(4 * flexspline.wall))",
+    ),
     (FLANK, FLANK + '\n"tilt.angle_deg" = "open(1)"', "unknown function 'open'"),
     (FLANK, FLANK + '\n"tilt.angle_deg" = "[1, 2]"', "'[1, 2]' is no arithmetic"),
     (FLANK, FLANK + '\n"tilt.angle_deg" = "1 if 2 else 3"', "is no arithmetic"),
@@ -255,6 +261,14 @@ def test_a_link_may_stand_in_a_table_of_its_key():
     keys = 'w = { list = [0.7] }\n[vary.flexspline]\nwall = "w"\n[vary.solver]\ntolerance = "1e-3 * w"'
     good = study.read_recipe(GOOD.replace(FLANK, keys))
     assert [path for path, _ in good.links] == ["flexspline.wall", "solver.tolerance"]
+
+
+def test_a_link_that_is_whole_makes_a_count():
+    """Powers and quotients are numbers of floating point."""
+    keys = FLANK + '\nk = { list = [1, 2] }\n"slices.count" = "2 ** k + 1"\n"drive.flexspline_teeth" = "400 / 2"'
+    good = study.check(study.read_recipe(GOOD.replace(FLANK, keys)))
+    scene = good.scene_of(good.linked(good.first)).to_dict()
+    assert (scene["slices"]["count"], scene["drive"]["flexspline_teeth"]) == (3, 200)
 
 
 def test_large_numbers_are_numbers():

@@ -48,7 +48,7 @@ class Expression:
     Raises
     ------
     ValueError
-        The text is something else; the message says what.
+        The text is something else; the message says what, and a second argument what to write where that is known.
     """
 
     __slots__ = ("text", "names", "_tree", "_divisors")
@@ -56,6 +56,8 @@ class Expression:
     def __init__(self, text: str) -> None:
         if len(text) > LONGEST:
             raise ValueError(f"longer than {LONGEST} characters")
+        if "^" in text:
+            raise ValueError("^ is no operation", "write " + re.sub(r" *\^ *", " ** ", text))
         try:
             tree = ast.parse(text.strip(), mode="eval").body
         except (SyntaxError, ValueError, RecursionError, MemoryError) as error:

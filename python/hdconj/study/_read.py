@@ -101,7 +101,9 @@ class _Reader:
                 raise ValueError("no expression in quotes")
             expression = Expression(text)
         except ValueError as error:
-            self.told(path, str(error), 'write arithmetic over names in quotes, such as "2 * flexspline.wall"', text)
+            reason, *remedy = error.args
+            usual = 'write arithmetic over names in quotes, such as "2 * flexspline.wall"'
+            self.told(path, reason, remedy[0] if remedy else usual, text)
             return None
         try:
             if not expression.names:
@@ -301,7 +303,7 @@ class _Reader:
                     values = recipe.linked(values)
                 for fault in recipe.scene_of(values).check():
                     if fault not in own:
-                        self._schema_fault(fault, key, value, recipe)
+                        self._schema_fault(fault, key, values, recipe)
 
     def ask_verbs(self, recipe: Recipe) -> None:
         """What the verbs say of the values of their options, of the built-in drive where the scene has faults."""
@@ -316,15 +318,21 @@ class _Reader:
                 reason = fault.reason if is_given else f"{fault.path}: {fault.reason}"
                 self.told(place, reason, fault.remedy, fault.value)
 
-    def _schema_fault(self, fault: Fault, key: Key, value: Value, recipe: Recipe) -> None:
+    def _schema_fault(self, fault: Fault, key: Key, values: Mapping[str, Value], recipe: Recipe) -> None:
         """Takes over a fault that holds whatever the other keys are; others are drives that cannot be made."""
         varied = {key.path for key in recipe.keys} | {path for path, _ in recipe.links}
         of_key = fault.path == key.path or (fault.kind == "unknown" and key.path.startswith(f"{fault.path}."))
         if fault.kind == "other" or not (of_key or fault.path in varied):
             return
+        value = values[key.path]
         whole = of_key and isinstance(value, float) and value.is_integer()
         if whole and self._takes(recipe.scene_of({key.path: int(value)}), key.path):
             fault = fault._replace(reason="takes whole numbers only", remedy="write a whole number: add step = 1")
+        link = dict(recipe.links).get(fault.path)
+        linked = values.get(fault.path)
+        if link and isinstance(linked, float) and self._takes(recipe.scene_of({fault.path: round(linked)}), fault.path):
+            remedy = f"write round({link.text})"
+            fault = fault._replace(reason="takes whole numbers only", remedy=remedy, value=written(linked))
         place = f"vary.{key.path if of_key else fault.path}"
         if not any(known.path == place and known.reason == fault.reason for known in self.faults):
             self.told(place, fault.reason, fault.remedy, value if of_key else fault.value)

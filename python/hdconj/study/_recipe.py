@@ -89,8 +89,10 @@ class Recipe:
         return {**values, **{path: known[path] for path, _ in self.links}}
 
     def scene_of(self, linked: Mapping[str, Value]) -> Scene:
-        """The scene of a drive; names without a dot are the study's own."""
-        return self.scene.with_({path: value for path, value in linked.items() if "." in path})
+        """The scene of a drive; names without a dot are the study's own, and whole values of links may be counts."""
+        links = {path for path, _ in self.links}
+        given = {path: value for path, value in linked.items() if "." in path}
+        return self.scene.with_({path: _whole(value) if path in links else value for path, value in given.items()})
 
     @cached_property
     def figure_names(self) -> frozenset[str]:
@@ -142,6 +144,12 @@ def _number_of(path: str, link: Expression, known: Mapping[str, Any]) -> Value:
     except NO_VALUE as error:
         cause = str(error)
     raise NumericalError("link", "study", path, f"{link.text}: {cause}")
+
+
+def _whole(value: Value) -> Value:
+    """A number of floating point that is whole as such a number, which keys of counts take."""
+    is_whole = isinstance(value, float) and value.is_integer() and abs(value) <= 2**53
+    return int(value) if is_whole else value
 
 
 def flat(tables: Mapping[str, Any], before: str = "") -> dict[str, Any]:
