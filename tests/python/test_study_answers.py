@@ -13,7 +13,7 @@ import hdconj
 study = pytest.importorskip("hdconj.study")
 pytest.importorskip("distributed")
 from hdconj.study import _drive  # noqa: E402
-from hdconj.study.__main__ import print_status  # noqa: E402
+from hdconj.study.__main__ import print_indices, print_status  # noqa: E402
 from hdconj.study._expression import Expression  # noqa: E402
 from hdconj.study._optimise import Search  # noqa: E402
 from hdconj.study._pictures import (  # noqa: E402
@@ -291,6 +291,28 @@ def test_indices_of_a_sum(run, tmp_path):
     part = found.indices()
     assert part.attrs["blocks"] == {"y": 123}  # samples 28 to 47 are those of five
     assert list(part["total"]) == pytest.approx([0.9, 0.1], abs=0.05)
+
+
+def test_indices_say_from_what_they_are(run, tmp_path, capsys):
+    """Blocks may lack a drive, and values may differ within their errors alone."""
+    found = run(
+        '[vary]\na = { uniform = [0, 1] }\nb = { uniform = [0, 1] }\n[sample]\nmethod = "saltelli"\ncount = 32\n'
+        '[figures]\ny = "sqrt(3 * a + b - 1)"\nz = "a"\nsame = "0 * a"\nnone = "sqrt(a - 2)"',
+        tmp_path,
+    )
+    found.frame["z_error"] = 0.5
+    print_indices(found)
+    y, z, same, none = capsys.readouterr().out.splitlines()
+    blocks = found.indices().attrs["blocks"]["y"]
+    assert 2 < blocks < 32 and y.startswith("y: a matters most") and y.endswith(f", from {blocks} of 32 blocks")
+    equal = "no key matters, its values differ by no more than their errors"
+    assert (z, same) == (f"z: {equal}", f"same: {equal}")
+    assert none == "none: too few drives for indices, from 0 of 32 blocks"
+    titles = [pane.get_title() for pane in indices_picture(found).axes]
+    assert titles == [f"share of the variance of y,\nfrom {blocks} of 32 blocks"]
+    found.frame["z_error"] = 0.4
+    print_indices(found)
+    assert "z: a matters most" in capsys.readouterr().out
 
 
 def test_an_error_that_was_not_estimated_is_no_number():

@@ -73,10 +73,22 @@ def print_status(study: Any) -> None:
         sure = f" ({100 * low:.1f} to {100 * high:.1f} % at 95 % confidence)" if is_drawn else ""
         print(f"{100 * share:.1f} % keep all constraints{sure}")
     if study.recipe.method == "saltelli" and state["done"] == state["total"]:
-        table = study.indices()
-        for name, part in table.groupby("figure", sort=False):
+        print_indices(study)
+
+
+def print_indices(study: Any) -> None:
+    """Prints which key matters most for each figure, and from how many blocks where some lack a drive."""
+    table = study.indices()
+    for name, blocks in table.attrs["blocks"].items():
+        part, of = table[table["figure"] == name], study.recipe.count
+        if name in table.attrs["equal"]:
+            found = "no key matters, its values differ by no more than their errors"
+        elif part.empty:
+            found = "too few drives for indices"
+        else:
             most = part.loc[part["total"].idxmax()]
-            print(f"{name}: {most['key']} matters most, total index {most['total']:.3f} +- {most['total_error']:.3f}")
+            found = f"{most['key']} matters most, total index {most['total']:.3f} +- {most['total_error']:.3f}"
+        print(f"{name}: {found}" + f", from {blocks} of {of} blocks" * (blocks < of))
 
 
 def print_best(study: Any, options: argparse.Namespace) -> bool:

@@ -142,12 +142,12 @@ def parallel_picture(study: Study) -> Any:
 
 
 def indices_picture(study: Study) -> Any:
-    """Indices of Sobol as bars."""
+    """Indices of Sobol as bars, of the figures whose values differ by more than their errors."""
     state = study.status()
     if study.recipe.method != "saltelli" or state["done"] != state["total"]:
         return None
     table = study.indices()
-    names = list(table["figure"].unique())
+    names = [name for name in table["figure"].unique() if name not in table.attrs["equal"]]
     if not names:
         return None
     figure, panes = _figure(1, len(names))
@@ -158,7 +158,9 @@ def indices_picture(study: Study) -> Any:
         for shift, word, colour in ((0.2, "first", POOR), (-0.2, "total", GOOD)):
             pane.barh(at + shift, part[word], 0.38, xerr=part[f"{word}_error"], color=colour, label=f"{word} index")
         pane.set_yticks(at, part["key"], fontsize=8)
-        pane.set_title(f"share of the variance of {name}", fontsize=9)
+        blocks, of = table.attrs["blocks"][name], study.recipe.count
+        part_of = f",\nfrom {blocks} of {of} blocks" * (blocks < of)
+        pane.set_title(f"share of the variance of {name}{part_of}", fontsize=9)
     panes.flat[0].legend(fontsize=7, loc="upper left", bbox_to_anchor=(1, 1))  # beside the bars
     return figure
 

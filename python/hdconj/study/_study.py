@@ -213,32 +213,14 @@ class Study:
 
         A ``pandas.DataFrame`` with the columns figure, key, first, first_error, total, total_error; the key with the
         largest total index of a figure matters most. Blocks in which a drive is missing or could not be made are left
-        out; ``attrs["blocks"]`` of the table says how many blocks each figure has.
+        out; ``attrs["blocks"]`` of the table says how many blocks each figure has. ``attrs["equal"]`` names the
+        figures whose largest and smallest value differ by no more than their errors, so that no key matters.
         """
-        import pandas
-        from SALib.analyze import sobol
+        from ._indices import indices_of
 
         if self.recipe.method != "saltelli":
             raise refuse(self.folder.place, "has no sample for indices", 'write method = "saltelli" under [sample]')
-        keys = [key.path for key in self.recipe.keys]
-        width = len(keys) + 2
-        problem = {"num_vars": len(keys), "names": keys, "bounds": [[0, 1]] * len(keys)}
-        sample = np.asarray(self.frame["sample"], dtype=int)
-        found: list[tuple[Any, ...]] = []
-        used: dict[str, int] = {}
-        for name, _ in self.recipe.figures:
-            blocks = np.full((sample.max(initial=-1) // width + 1, width), np.nan)  # rows may be missing
-            blocks[sample // width, sample % width] = np.asarray(self.frame[name], dtype=float)
-            whole = blocks[np.isfinite(blocks).all(axis=1)]
-            used[name] = len(whole)
-            if len(whole) < 2 or np.ptp(whole) == 0:
-                continue
-            made = sobol.analyze(problem, whole.reshape(-1), calc_second_order=False, seed=self.recipe.seed)
-            for i, key in enumerate(keys):
-                found.append((name, key, made["S1"][i], made["S1_conf"][i], made["ST"][i], made["ST_conf"][i]))
-        table = pandas.DataFrame(found, columns=["figure", "key", "first", "first_error", "total", "total_error"])
-        table.attrs["blocks"] = used
-        return table
+        return indices_of(self.recipe, self.frame)
 
     def status(self) -> dict[str, Any]:
         """How far the study is."""
