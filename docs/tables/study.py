@@ -115,7 +115,7 @@ def shard(_):
     """What the command spends on a shard whose rows come back from a worker: taking it in, and writing its file."""
     from hdconj import study
     from hdconj.study._engine import engine
-    from hdconj.study._store import schema_of, write_shard
+    from hdconj.study._shards import schema_of, write_shard
 
     recipe, rows = study.read_recipe(SOLVE.replace("COUNT", "8")), []
     row = {"sample": 0, **recipe.values(0), **dict.fromkeys(("land", "land_error", "depth", "depth_error"), 0.1),

@@ -23,7 +23,7 @@ import hdconj
 
 study = pytest.importorskip("hdconj.study")
 pytest.importorskip("distributed")
-from hdconj.study import _drive, _engine, _store  # noqa: E402
+from hdconj.study import _drive, _engine, _shards, _store  # noqa: E402
 from hdconj.study.__main__ import main  # noqa: E402
 
 KILLS = 20 if os.environ.get("HDCONJ_FULL") else 1
@@ -64,10 +64,10 @@ def bits(folder):
     """All rows of a study as one checksum, and how many there are of each sample."""
     import pyarrow as pa
 
-    table = pa.concat_tables([rows.replace_schema_metadata(None) for rows, _ in _store.read_shards(folder / "rows")])
+    table = pa.concat_tables([rows.replace_schema_metadata(None) for rows, _ in _shards.read_shards(folder / "rows")])
     numbers = table.column("sample").to_pylist()
     assert len(set(numbers)) == len(numbers)
-    return _store.digest(table), numbers
+    return _shards.digest(table), numbers
 
 
 def command(*words):
@@ -288,6 +288,45 @@ def test_a_broken_shard_is_made_again(expected, scheduler, tmp_path, harm):
         shard.rename(shard.with_name("rows-000000000-000000999.parquet"))
     told = study.run(recipe(90), tmp_path, scheduler=scheduler, progress=False)
     assert told.done > 0 and bits(tmp_path) == expected
+
+
+def test_a_shard_of_another_study_is_made_again(expected, scheduler, tmp_path):
+    """Other values of the same columns, and other columns; a shard of a former version does not say whose it is."""
+    import pyarrow.parquet as pq
+
+    own, other = tmp_path / "own", tmp_path / "other"
+    study.run(recipe(90), own, scheduler=scheduler, progress=False)
+    study.run(
+        study.read_recipe(TEXT.replace("COUNT", "90").replace("seed = 5", "seed = 6")), other, scheduler=scheduler,
+        progress=False,
+    )  # fmt: skip
+
+    def replace_rows(change):
+        for shard in (own / "rows").iterdir():
+            shard.unlink()
+        for shard in (other / "rows").iterdir():
+            shutil.copy(shard, own / "rows")
+            table, about = _shards.read_shard(shard)
+            change(own / "rows" / shard.name, table, about)
+
+    def rewritten(file, table, about):
+        words = json.dumps(about | {"rows_sha256": _shards.digest(table)})
+        pq.write_table(table.replace_schema_metadata({b"hdconj": words.encode()}), file)
+
+    def former(file, table, about):
+        rewritten(file, table, {word: value for word, value in about.items() if word not in _shards.IDENTITY})
+
+    def without_depth(file, table, about):
+        former(file, table.drop_columns(["depth"]), about)
+
+    replace_rows(lambda *_: None)
+    assert len(study.open(own).frame) == 0
+    for change in (lambda *_: None, without_depth):
+        replace_rows(change)
+        assert study.run(recipe(90), own, scheduler=scheduler, progress=False).done == 90
+        assert bits(own) == expected
+    replace_rows(former)
+    assert study.run(recipe(90), own, scheduler=scheduler, progress=False).done == 0
 
 
 def test_two_runs_in_one_folder(tmp_path):

@@ -9,7 +9,8 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from ._engine import EngineLost, Told
+    from ._engine import EngineLost
+    from ._progress import Told
     from ._optimise import optimise
     from ._read import load_recipe, read_recipe
     from ._recipe import Recipe
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 
 __all__ = ["EngineLost", "Recipe", "Study", "Told", "check", "load_recipe", "open", "optimise", "read_recipe", "run"]
 _HOMES = {
-    **{"EngineLost": "_engine", "Told": "_engine", "Recipe": "_recipe", "Study": "_study", "open": "_study"},
+    **{"EngineLost": "_engine", "Told": "_progress", "Recipe": "_recipe", "Study": "_study", "open": "_study"},
     **{"optimise": "_optimise", "load_recipe": "_read", "read_recipe": "_read", "check": "_run", "run": "_run"},
 }
 

@@ -10,9 +10,8 @@ import os
 import signal
 import sys
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 from importlib import import_module
 from importlib.util import find_spec
 from multiprocessing.resource_tracker import ensure_running
@@ -21,8 +20,9 @@ from typing import Any
 
 from .._errors import FileError
 from ._drive import Row, Sample, careful_rows, rows_of
+from ._progress import Progress, Told
 from ._recipe import Recipe
-from ._store import schema_of, write_shard
+from ._shards import IDENTITY, schema_of, write_shard
 
 WINDOW = 4  # shards a worker has in hand
 SHARD_SECONDS = 10.0  # of work in a shard; between 2 and 60
@@ -146,39 +146,6 @@ def _quietly(close: Callable[[], object]) -> None:
         logging.getLogger(__name__).debug("closing failed", exc_info=True)
 
 
-@dataclass
-class Told:
-    """How a computation proceeds."""
-
-    done: int = 0
-    failed: int = 0
-    total: int = 0
-
-
-class Progress:
-    """A bar of tqdm on a terminal; nothing elsewhere, or where tqdm is not installed."""
-
-    def __init__(self, total: int, what: str, shown: bool) -> None:
-        self.told, self.bar = Told(total=total), None
-        if shown and sys.stderr.isatty() and find_spec("tqdm"):
-            from tqdm import tqdm  # type: ignore[import-untyped]
-
-            self.bar = tqdm(total=total, desc=what, unit="drive", smoothing=0.1, file=sys.stderr)
-
-    def add(self, rows: Sequence[Row]) -> None:
-        """Counts the rows of a shard."""
-        self.told.done += len(rows)
-        self.told.failed += sum(bool(row["code"]) for row in rows)
-        if self.bar is not None:
-            self.bar.set_postfix(failed=self.told.failed, refresh=False)
-            self.bar.update(len(rows))
-
-    def close(self) -> None:
-        """Leaves the bar as it is."""
-        if self.bar is not None:
-            self.bar.close()
-
-
 class _Shards:
     """Cuts what is left into shards of a few seconds each."""
 
@@ -243,8 +210,8 @@ def _finished(client: Any, running: dict[Any, Any]) -> list[Any]:
 
 
 def compute_rows(
-    client: Any, recipe: Recipe, samples: Sequence[Sample], folder: Path, *, errors: bool, seconds: float = 1.0,
-    shard_seconds: float = SHARD_SECONDS, what: str = "drives", shown: bool = True,
+    client: Any, recipe: Recipe, samples: Sequence[Sample], folder: Path, own: Mapping[str, Any], *, errors: bool,
+    seconds: float = 1.0, shard_seconds: float = SHARD_SECONDS, what: str = "drives", shown: bool = True,
 ) -> Told:  # fmt: skip
     """Computes samples and writes their shards, one after the other as they come.
 
@@ -256,6 +223,8 @@ def compute_rows(
         What is computed; samples in order of their numbers.
     folder : Path
         Where the shards go.
+    own
+        What study.json says: shards say whose they are.
     errors : bool
         Whether the verbs estimate errors.
     seconds : float
@@ -292,7 +261,8 @@ def compute_rows(
                 except LOST as error:
                     raise _lost(error) from None
                 shards.learn(taken, len(part))
-                write_shard(folder, rows, schema, {"units": units, "seconds": taken, "errors": errors})
+                about = {"units": units, "seconds": taken, "errors": errors}
+                write_shard(folder, rows, schema, about | {word: own[word] for word in IDENTITY})
                 progress.add(rows)
     except (EngineLost, FileError, KeyboardInterrupt):
         _quietly(lambda: client.cancel(list(running), force=True))

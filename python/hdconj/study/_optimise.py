@@ -14,12 +14,14 @@ import numpy as np
 from .._arguments import checked
 from .._errors import Fault
 from ._drive import Sample
-from ._engine import SHARD_SECONDS, Told, compute_rows, engine
+from ._engine import SHARD_SECONDS, compute_rows, engine
 from ._faults import refuse
+from ._progress import Told
 from ._read import load_recipe
 from ._recipe import Recipe
 from ._run import compute_survivors, prepare, refuse_machine
-from ._store import Folder, write_whole
+from ._shards import write_whole
+from ._store import Folder
 from ._study import Study
 
 WORST = 1e30  # objective and violation of a drive that cannot be made
@@ -144,12 +146,13 @@ def optimise(
                 numbers = range(first, first + len(units))
                 first += len(units)
                 samples: list[Sample] = [
-                    (number, recipe.values_at(units[number - numbers[0]])) for number in place.missing(numbers)
+                    (number, recipe.values_at(units[number - numbers[0]])) for number in place.missing(recipe, numbers)
                 ]
                 if samples:
                     now = compute_rows(
-                        client, recipe, samples, place.rows, errors=recipe.errors, seconds=about["seconds_of_first"],
-                        shard_seconds=shard_seconds, what=f"generation {generation + 1}", shown=progress,
+                        client, recipe, samples, place.rows, about, errors=recipe.errors,
+                        seconds=about["seconds_of_first"], shard_seconds=shard_seconds,
+                        what=f"generation {generation + 1}", shown=progress,
                     )  # fmt: skip
                     told.done += now.done
                     told.failed += now.failed
@@ -189,7 +192,7 @@ def _refuse_other_search(place: Folder, recipe: Recipe) -> None:
             return
         numbers = range(first, first + len(units))
         first += len(units)
-        if place.missing(numbers):
+        if place.missing(recipe, numbers):
             return
         _tell(search, study, numbers)
 

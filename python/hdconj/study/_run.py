@@ -12,12 +12,14 @@ from typing import Any
 from .._arguments import checked
 from .._errors import Fault
 from ._drive import Row, Sample, careful_rows, estimates_errors, figures_of
-from ._engine import SHARD_SECONDS, Told, compute_rows, engine
+from ._engine import SHARD_SECONDS, compute_rows, engine
 from ._faults import fault_at, lines_of, near, refuse
 from ._options import known_options
+from ._progress import Told
 from ._read import load_recipe, unread_curves
 from ._recipe import Recipe
-from ._store import Folder, schema_of, write_shard
+from ._shards import schema_of, write_shard
+from ._store import Folder
 
 
 def first_drive(recipe: Recipe) -> tuple[Row, dict[str, str], float]:
@@ -126,11 +128,11 @@ def run(
     place = Folder(folder)
     with place.locked():
         recipe, about = prepare(place, recipe, "run")
-        samples = _Samples(recipe, place.missing(range(recipe.drives)))
+        samples = _Samples(recipe, place.missing(recipe, range(recipe.drives)))
         with lazily(samples or recipe.survivors, jobs, scheduler) as client:
             told = compute_rows(
-                client, recipe, samples, place.rows, errors=recipe.errors, seconds=about["seconds_of_first"],
-                shard_seconds=shard_seconds, shown=progress,
+                client, recipe, samples, place.rows, about, errors=recipe.errors,
+                seconds=about["seconds_of_first"], shard_seconds=shard_seconds, shown=progress,
             ) if samples else Told()  # fmt: skip
             if recipe.survivors and not recipe.errors:
                 compute_survivors(client, place, recipe, shard_seconds, progress)
@@ -198,10 +200,10 @@ def compute_survivors(client: Any, place: Folder, recipe: Recipe, shard_seconds:
     folder = place.part("survivors")
     chosen: Sequence[int] = sorted(int(number) for number in best["sample"])
     values = {int(row["sample"]): recipe.restored(row) for row in best.to_dict("records")}
-    samples = [(number, values[number]) for number in place.missing(chosen, folder)]
+    samples = [(number, values[number]) for number in place.missing(recipe, chosen, folder)]
     if not samples:
         return Told()
     return compute_rows(
-        client, recipe, samples, folder, errors=True, seconds=5, shard_seconds=shard_seconds, what="survivors",
-        shown=progress,
+        client, recipe, samples, folder, place.about(), errors=True, seconds=5, shard_seconds=shard_seconds,
+        what="survivors", shown=progress,
     )  # fmt: skip

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The folder of a study: shards as Parquet files that appear whole, what they were made by, and a lock."""
+"""The folder of a study: shards, what they were made by, and a lock."""
 
 from __future__ import annotations
 
@@ -16,23 +16,15 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-import pyarrow as pa
-import pyarrow.parquet as pq
-
 import hdconj
 
 from .. import _files
 from .._errors import FileError, Fault, InputError, fault_text
 from .._scene import Scene
 from ._data_files import FOLDER, copies, renamed, scene_text
-from ._drive import Row
-from ._keys import as_text
 from ._recipe import Recipe
+from ._shards import FORMAT, read_shards, schema_of, write_whole
 
-FORMAT = 1
-_NAME = re.compile(r"rows-(\d{9})-(\d{9})\.parquet")
-_WORDS = ("code", "stage", "place", "cause")
 _PACKAGES = ("numpy", "scipy", "pyarrow", "dask", "distributed", "SALib", "pymoo")
 
 
@@ -40,95 +32,6 @@ def refuse(path: object, reason: str, remedy: str) -> InputError:
     """A single fault as an error."""
     faults = (Fault(str(path), 0, "", reason, remedy),)
     return InputError(faults, fault_text(faults))
-
-
-def schema_of(recipe: Recipe) -> Any:
-    """Columns of the rows: sample, keys, figures and their errors, what went wrong."""
-    fields = [pa.field("sample", pa.int64())]
-    for key in recipe.keys:
-        kind = pa.string() if key.is_text else pa.bool_() if isinstance(key.middle, bool) else pa.float64()
-        fields.append(pa.field(key.path, kind))
-    fields += [pa.field(path, pa.float64()) for path, _ in recipe.links]
-    for name, _ in recipe.figures:
-        fields += [pa.field(name, pa.float64()), pa.field(f"{name}_error", pa.float64())]
-    return pa.schema([*fields, *(pa.field(word, pa.string()) for word in _WORDS)])
-
-
-def _column(values: Sequence[Any], field: Any) -> Any:
-    if pa.types.is_floating(field.type):
-        return pa.array(np.array([np.nan if v is None else float(v) for v in values]), field.type)
-    if pa.types.is_string(field.type):
-        return pa.array(["" if v is None else as_text(v) for v in values], field.type)
-    return pa.array(values, field.type)
-
-
-def table_of(rows: Sequence[Row], schema: Any) -> Any:
-    """Rows as a table of Arrow; what a drive has not is not a number."""
-    return pa.table([_column([row.get(field.name) for row in rows], field) for field in schema], schema=schema)
-
-
-def digest(table: Any) -> str:
-    """A checksum of names and values, the same whatever the file looks like."""
-    made = hashlib.sha256()
-    for name in table.column_names:
-        column = table.column(name).combine_chunks()
-        made.update(name.encode() + b"\0")
-        if pa.types.is_string(column.type):
-            made.update("\0".join(column.to_pylist()).encode("utf-8", "surrogateescape"))
-        else:
-            made.update(column.to_numpy(zero_copy_only=False).tobytes())
-    return made.hexdigest()
-
-
-def write_whole(file: Path, text: bytes) -> None:
-    """A file that is there whole or not at all."""
-    temporary = file.with_name(f".{file.name}.{os.getpid()}")
-    try:
-        with open(temporary, "wb") as out:
-            out.write(text)
-            out.flush()
-            os.fsync(out.fileno())
-        os.replace(temporary, file)
-    except OSError as error:
-        temporary.unlink(missing_ok=True)
-        raise FileError(
-            f"{file}: cannot be written: {error.strerror or error}; what was written before is kept"
-        ) from None
-
-
-def write_shard(folder: Path, rows: Sequence[Row], schema: Any, about: Mapping[str, Any]) -> Path:
-    """Writes the rows of consecutive samples; `about` goes into the file beside their checksum."""
-    table = table_of(rows, schema)
-    words = json.dumps({**about, "rows_sha256": digest(table), "format": FORMAT})
-    sink = pa.BufferOutputStream()
-    pq.write_table(table.replace_schema_metadata({b"hdconj": words.encode()}), sink, compression="zstd")
-    file = folder / f"rows-{rows[0]['sample']:09d}-{rows[-1]['sample']:09d}.parquet"
-    write_whole(file, sink.getvalue().to_pybytes())
-    return file
-
-
-def read_shard(file: Path) -> tuple[Any, dict[str, Any]] | None:
-    """The rows of a file and what is written beside them; None where it is not what was written."""
-    try:
-        table = pq.read_table(file, partitioning=None)
-        about: dict[str, Any] = json.loads((table.schema.metadata or {})[b"hdconj"])
-    except (OSError, ValueError, KeyError, pa.ArrowException):
-        return None
-    return (table, about) if about.get("rows_sha256") == digest(table) else None
-
-
-def read_shards(folder: Path, mend: bool = False) -> Iterator[tuple[Any, dict[str, Any]]]:
-    """All shards that are whole, in order of samples; `mend` removes the others, so that they are made again."""
-    upto = -1
-    for file in sorted(folder.glob("rows-*.parquet")):
-        named = _NAME.fullmatch(file.name)
-        found = read_shard(file) if named else None
-        numbers = found[0].column("sample").to_pylist() if found else []
-        if found and numbers and numbers[0] > upto and numbers[-1] == int(named[2]):  # type: ignore[index]
-            upto = numbers[-1]
-            yield found
-        elif mend:
-            file.unlink()
 
 
 class Folder:
@@ -249,10 +152,10 @@ class Folder:
         """Writes study.json."""
         write_whole(self.place / "study.json", (json.dumps(about, indent=1) + "\n").encode())
 
-    def missing(self, numbers: Sequence[int], folder: Path | None = None) -> list[int]:
-        """Which samples have no row yet; broken shards are removed."""
+    def missing(self, recipe: Recipe, numbers: Sequence[int], folder: Path | None = None) -> list[int]:
+        """Which samples have no row yet; shards that are broken or another study's are removed."""
         there: set[int] = set()
-        for table, _ in read_shards(folder or self.rows, mend=True):
+        for table, _ in read_shards(folder or self.rows, self.about(), schema_of(recipe).names, mend=True):
             there.update(table.column("sample").to_pylist())
         return [number for number in numbers if number not in there]
 

@@ -18,7 +18,8 @@ from .._scene import Scene
 from ._keys import Value
 from ._read import load_recipe
 from ._recipe import Recipe
-from ._store import Folder, read_shards, refuse
+from ._shards import read_shards, schema_of
+from ._store import Folder, refuse
 
 Bools = npt.NDArray[np.bool_]
 Floats = npt.NDArray[np.float64]
@@ -54,7 +55,8 @@ class Study:
 
     def _shards(self, part: str) -> Iterator[tuple[Any, dict[str, Any]]]:
         """Shards of the drives that the study has now: its count may be less than when they were computed."""
-        for table, about in read_shards(self.folder.place / part):
+        columns = schema_of(self.recipe).names
+        for table, about in read_shards(self.folder.place / part, self.about, columns):
             if self.about["kind"] == "run":
                 count = bisect_left(table.column("sample").to_pylist(), self.recipe.drives)
                 about = {**about, "seconds": about["seconds"] * count / len(table)}
@@ -72,8 +74,6 @@ class Study:
     @cached_property
     def frame(self) -> Any:
         """All rows in order of samples, failed drives too, as a ``pandas.DataFrame``; units are in its ``attrs``."""
-        from ._store import schema_of
-
         frame = self._read("rows")
         if frame.empty:
             frame = schema_of(self.recipe).empty_table().to_pandas()
