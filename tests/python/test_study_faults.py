@@ -368,6 +368,27 @@ def test_a_refused_command_writes_nothing(tmp_path, monkeypatch, capsys, words, 
     assert before == {file: file.read_bytes() for file in tmp_path.rglob("*") if file.is_file()}
 
 
+@pytest.mark.parametrize("words, said", [
+    (["run", "STUDY", "-o", "afile/x"], "afile/x/rows: cannot be made: Not a directory (name a folder that you may"),
+    (["run", "STUDY", "-o", "x" * 300], "File name too long (name a folder that you may write)"),
+    (["picture", "made", "-o", "afile"], "afile: is a file (name a folder)"),
+    (["picture", "made", "-o", "afile/x"], "afile/x: cannot be made: Not a directory (name a folder that you may"),
+    (["best", "made", "--csv", "nowhere/x.csv"], "nowhere/x.csv: the folder nowhere does not exist (create it: mkdir"),
+    (["best", "made", "--csv", "made"], "made: is a folder (write a file name in it)"),
+])  # fmt: skip
+def test_a_file_that_cannot_be_written_says_what_to_write(tmp_path, monkeypatch, capsys, words, said):
+    """Running again does not help, so nobody is told to."""
+    monkeypatch.chdir(tmp_path)
+    Path("study.toml").write_text(GOOD)
+    Path("afile").write_text("")
+    with _store.Folder("made").locked():
+        _store.Folder("made").begin(study.load_recipe("study.toml"), "run")
+    assert main([word.replace("STUDY", "study.toml") for word in words]) == 1
+    told = capsys.readouterr().err
+    assert said in told and "run again" not in told and "Errno" not in told
+    assert not [file for file in tmp_path.rglob("*.csv")]
+
+
 def test_best_says_that_no_drive_keeps_the_constraints(tmp_path, capsys):
     (tmp_path / "study.toml").write_text(
         GOOD.replace("count = 8", "count = 2") + '[constraints]\nland = { max = 0.0 }\n[objectives]\nland = "max"\n'

@@ -177,9 +177,14 @@ def _act(options: argparse.Namespace) -> bool:
 
 def _failed(error: Exception, options: argparse.Namespace) -> str:
     """What went wrong and where, and what to do."""
-    place = getattr(options, "folder", None) or options.what
-    where = f"{place}: " if isinstance(error, OSError) and error.errno and not error.filename else ""
-    return where + str(error) + ("; run again to resume" if options.verb in ("run", "optimise") else "")
+    from ._shards import is_lasting, told
+
+    said = str(error)
+    if isinstance(error, OSError) and error.errno:  # one of the system, whose own text names an errno
+        place = error.filename or getattr(options, "folder", None) or options.what
+        said = told(place, "cannot be used", error)
+    helps = options.verb in ("run", "optimise") and not is_lasting(error)
+    return said + "; run again to resume" * helps
 
 
 def main(words: Sequence[str] | None = None) -> int:

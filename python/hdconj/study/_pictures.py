@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,8 @@ import numpy as np
 
 import hdconj
 
+from .._files import write_whole
+from ._shards import made_folder
 from ._study import Study, dominated
 
 GOOD, POOR, BEST = "#1f5fa8", "#b9c4d0", "#d0471f"
@@ -203,12 +206,11 @@ PICTURES: dict[str, Callable[[Study], Any]] = {
 
 def draw_all(study: Study, folder: str | os.PathLike[str] | None = None) -> list[Path]:
     """Writes every picture that the study has something for; default into its folder ``pictures``."""
-    place = Path(folder) if folder is not None else study.folder.place / "pictures"
-    place.mkdir(parents=True, exist_ok=True)
+    place = made_folder(Path(folder) if folder is not None else study.folder.place / "pictures")
     written = []
     for name, draw in PICTURES.items():
         figure = draw(study) if len(study.frame) else None
         if figure is not None:
             written.append(place / f"{name}.png")
-            figure.savefig(written[-1], dpi=_DPI)
+            write_whole(written[-1], partial(figure.savefig, dpi=_DPI, format="png"))
     return written

@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+import errno
 import hashlib
 import json
 import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +24,9 @@ from ._recipe import Recipe
 
 FORMAT = 1
 IDENTITY = ("identity", "kind")  # what study.json and the metadata of all its shards have in common
+# Errors of a file that stay when the same is tried again, as a full disk does not.
+LASTING = {errno.EACCES, errno.EPERM, errno.EROFS, errno.ENOENT, errno.ENOTDIR, errno.EISDIR, errno.EEXIST,
+           errno.ENAMETOOLONG, errno.ELOOP}  # fmt: skip
 _NAME = re.compile(r"rows-(\d{9})-(\d{9})\.parquet")
 _WORDS = ("code", "stage", "place", "cause")
 
@@ -64,6 +69,28 @@ def digest(table: Any) -> str:
     return made.hexdigest()
 
 
+def is_lasting(error: BaseException) -> bool:
+    """Whether a file cannot be written until another one is named, or the rights are others."""
+    return isinstance(error, OSError) and (error.errno in LASTING or is_lasting(error.__cause__ or ValueError()))
+
+
+def told(place: Path, what: str, error: OSError) -> str:
+    """What cannot be done with a file or folder, why, and what to do where trying again does not help."""
+    remedy = " (name a folder that you may write)" if is_lasting(error) else ""
+    return f"{place}: {what}: {error.strerror or error}{remedy}"
+
+
+def made_folder(place: Path) -> Path:
+    """A folder, made where it is not there."""
+    try:
+        place.mkdir(parents=True, exist_ok=True)
+    except FileExistsError as error:
+        raise FileError(f"{place}: is a file (name a folder)") from error
+    except OSError as error:
+        raise FileError(told(place, "cannot be made", error)) from error
+    return place
+
+
 def write_whole(file: Path, text: bytes) -> None:
     """A file that is there whole or not at all."""
     temporary = file.with_name(f".{file.name}.{os.getpid()}")
@@ -74,10 +101,9 @@ def write_whole(file: Path, text: bytes) -> None:
             os.fsync(out.fileno())
         os.replace(temporary, file)
     except OSError as error:
-        temporary.unlink(missing_ok=True)
-        raise FileError(
-            f"{file}: cannot be written: {error.strerror or error}; what was written before is kept"
-        ) from None
+        with suppress(OSError):
+            temporary.unlink(missing_ok=True)
+        raise FileError(f"{told(file, 'cannot be written', error)}; what was written before is kept") from error
 
 
 def write_shard(folder: Path, rows: Sequence[Row], schema: Any, about: Mapping[str, Any]) -> Path:

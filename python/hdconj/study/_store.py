@@ -23,7 +23,7 @@ from .._errors import FileError, Fault, InputError, fault_text
 from .._scene import Scene
 from ._data_files import FOLDER, copies, renamed, scene_text
 from ._recipe import Recipe
-from ._shards import FORMAT, read_shards, schema_of, write_whole
+from ._shards import FORMAT, made_folder, read_shards, schema_of, told, write_whole
 
 _PACKAGES = ("numpy", "scipy", "pyarrow", "dask", "distributed", "SALib", "pymoo")
 
@@ -75,11 +75,7 @@ class Folder:
 
     def part(self, name: str) -> Path:
         """A folder in it, made where it is not there."""
-        try:
-            (self.place / name).mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise FileError(f"{self.place / name}: cannot be made: {error.strerror}") from None
-        return self.place / name
+        return made_folder(self.place / name)
 
     @contextmanager
     def locked(self) -> Iterator[None]:
@@ -89,7 +85,7 @@ class Folder:
         try:
             lock = open(self.place / "lock", "a+b", buffering=0)
         except OSError as error:
-            raise FileError(f"{self.place}: cannot be used: {error.strerror}") from None
+            raise FileError(told(self.place, "cannot be used", error)) from error
         with lock:
             try:
                 fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -101,7 +97,7 @@ class Folder:
                 lock.truncate(0)
                 lock.write(f"process {os.getpid()} on {platform.node()}".encode())
             except OSError as error:
-                raise FileError(f"{self.place}: cannot be written: {error.strerror}") from None
+                raise FileError(told(self.place, "cannot be written", error)) from error
             yield
 
     def is_running(self) -> bool:

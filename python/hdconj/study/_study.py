@@ -14,6 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .._arguments import checked
+from .._files import write_whole
 from .._scene import Scene
 from ._keys import Value
 from ._read import load_recipe
@@ -112,7 +113,7 @@ class Study:
 
     def to_csv(self, file: str | os.PathLike[str]) -> None:
         """Write all rows as text; numbers keep all their digits."""
-        self.frame.to_csv(file, index=False)
+        write_whole(file, lambda place: self.frame.to_csv(place, index=False))
 
     def made(self, rows: Any) -> Bools:
         """Which rows are drives that could be made and have all objectives; other figures may have no value."""
