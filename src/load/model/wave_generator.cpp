@@ -152,7 +152,7 @@ PlacedBearing placed_bearing(contact::ContactContext const& context, int circles
 {
     Scene const& scene = context.scene;
     int const highest = highest_harmonic(scene.load.value_or(LoadRequest()).harmonics, around);
-    double const contacts = static_cast<double>(around.sectors * bearing_steps(around, highest).size());
+    double const contacts = around.sectors * static_cast<double>(bearing_steps(around, highest).size());
     PlacedBearing result{drive::bearing_of(scene), {}, 2 * std::numbers::pi / contacts, {}, {}};
     BearingChoice const& choice = *scene.bearing;
     result.bearing.cam_oversize -= choice.clearance / 2;  // of radii
