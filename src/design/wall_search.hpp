@@ -9,7 +9,7 @@
 
 namespace hdconj::design {
 
-/// Is told what is computed; empty: nobody listens.
+/// Receives a line of text on what is being computed; may be empty.
 using Talk = std::function<void(std::string const&)>;
 
 /// Dimensions of the wishes, with the wall @p wall over the pitch diameter.

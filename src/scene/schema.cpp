@@ -673,11 +673,11 @@ std::vector<KeySpec> wedm()
          to<&Scene::wedm, &WireRequest::spark_gap>},
         {choice<WirePart>("part", "what is cut; the flexspline in two set-ups of half its teeth each", false),
          "\"circular-spline\"", to<&Scene::wedm, &WireRequest::part>, "circular-spline"},
-        {optional("thickness", Q::positive_length,
-                  "of the workpiece, its middle at z = 0; beyond the toothing its faces go on along the straight "
-                  "rulings; absent: circular_spline.width, for the flexspline "
-                  "flexspline.cup.tooth_width where there is a cup",
-                  -infinity, bounds::largest_workpiece),
+        {optional(
+             "thickness", Q::positive_length,
+             "of the workpiece, its middle at z = 0; a thicker one has the same toothing, continued in straight lines; "
+             "absent: circular_spline.width, for the flexspline flexspline.cup.tooth_width where there is a cup",
+             -infinity, bounds::largest_workpiece),
          "7.0", to<&Scene::wedm, &WireRequest::thickness>},
         {optional("lower_guide", Q::nonnegative_length, "lower guide point of the wire below the lower face"), "20.0",
          to<&Scene::wedm, &WireRequest::lower_guide>, 20.0},
