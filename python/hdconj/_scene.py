@@ -5,8 +5,10 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import tomllib
 from collections.abc import Mapping, Sequence
+from numbers import Integral, Real
 from pathlib import Path
 from typing import Any, Union
 
@@ -16,18 +18,30 @@ from . import _core
 from ._errors import Fault
 from ._tree import Group
 
-Value = Union[bool, int, float, str, np.generic, Sequence[Any], "np.ndarray[Any, Any]", Mapping[str, Any], None]
+Value = Union[
+    bool, int, float, Real, np.generic, str, "os.PathLike[str]",
+    Sequence[Any], "np.ndarray[Any, Any]", Mapping[str, Any], None,
+]  # fmt: skip
+
+
+def quoted(text: str) -> str:
+    """Text as TOML quotes it: as JSON does, but no pair of surrogates stands for a character, and DEL is escaped."""
+    return re.sub(r"[\x7f\ud800-\udfff]", lambda match: f"\\u{ord(match[0]):04x}", json.dumps(text, ensure_ascii=False))
 
 
 def toml_value(value: Value) -> str:
     """A value as TOML writes it."""
-    if isinstance(value, bool):
+    if isinstance(value, (bool, np.bool_)):
         return "true" if value else "false"
-    if isinstance(value, str):
-        return json.dumps(value)
+    if isinstance(value, Integral):
+        return str(int(value))
+    if isinstance(value, Real):
+        return repr(float(value))
+    if isinstance(value, (str, os.PathLike)):
+        return quoted(os.fsdecode(value))
     if isinstance(value, Mapping):
-        return "{" + ", ".join(f"{json.dumps(str(key))} = {toml_value(item)}" for key, item in value.items()) + "}"
-    if isinstance(value, (np.generic, np.ndarray)):
+        return "{" + ", ".join(f"{quoted(str(key))} = {toml_value(item)}" for key, item in value.items()) + "}"
+    if isinstance(value, np.ndarray):
         return toml_value(value.tolist())
     if isinstance(value, Sequence):
         return "[" + ", ".join(toml_value(item) for item in value) + "]"
@@ -131,7 +145,7 @@ class Scene:
         Parameters
         ----------
         changes : mapping
-            From paths such as ``"flexspline.wall"`` to values; None removes a key or a table.
+            From paths such as ``"flexspline.wall"`` to values, also of NumPy; None removes a key or a table.
         """
         _require(isinstance(changes, Mapping), "with_", 'a mapping such as {"flexspline.wall": 0.6}', changes)
         for key in changes:

@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Bad input is refused with the faults of the program, word by word."""
 
+import enum
 import json
 import math
 import os
 import re
 import subprocess
+from fractions import Fraction
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -225,6 +228,26 @@ def test_scene_goes_through_text_and_dictionaries():
     bits = [hdconj.solve(each).circular_spline.outline.tobytes() for each in (scene, again)]
     assert bits[0] == bits[1]
     assert hdconj.Scene.from_toml(scene.to_toml()).to_toml() == scene.to_toml()
+
+
+class Count(enum.IntEnum):
+    NINE = 9
+
+
+@pytest.mark.parametrize(
+    ("given", "value"),
+    [
+        (Count.NINE, 9), (np.int8(9), 9), (np.bool_(True), True), (Fraction(3, 4), 0.75), (np.longdouble(0.75), 0.75),
+        (np.array(0.75, np.longdouble), 0.75), (np.array([0.75, 1], np.longdouble), [0.75, 1.0]),
+        (Path("points.csv"), "points.csv"), ("\U0001f642 \U00020bb7", "\U0001f642 \U00020bb7"),
+        ("\0\t\n\x1f\"\\\x7f\x85\xe9\u2028\ufeff", "\0\t\n\x1f\"\\\x7f\x85\xe9\u2028\ufeff"),
+        ({"\U0001f642": "\x7f"}, {"\U0001f642": "\x7f"}),
+    ],
+)  # fmt: skip
+def test_values_of_keys(given, value):
+    scenes = hdconj.Scene().with_({"drive.name": given}), hdconj.Scene.from_dict({"drive": {"name": [given]}})
+    found = [scene.to_dict()["drive"]["name"] for scene in scenes]
+    assert repr(found) == repr([value, [value]])  # 9 is not 9.0
 
 
 def test_change_and_removal_of_a_key():

@@ -428,6 +428,9 @@ depth = "max"
 """
 
 
+POINTS = "points-\U00020bb7.csv"
+
+
 def write_with_files(folder):
     """A study whose scene reads its tooth from a file, and its cam from one of two files of the same name."""
     scenes, source = folder / "scenes", Path(os.environ["HDCONJ_SOURCE"], "data/scenes")
@@ -436,8 +439,8 @@ def write_with_files(folder):
         angles = np.linspace(0, 180, 37)
         rows = [f"{angle},{height * np.cos(2 * np.radians(angle)):.6f}" for angle in angles]
         (scenes / name / "cam.csv").write_text("\n".join(rows))
-    shutil.copy(source / "points-flank.csv", folder)
-    text = (source / "points.toml").read_text().replace("points-flank.csv", "../points-flank.csv")
+    shutil.copy(source / "points-flank.csv", folder / POINTS)
+    text = (source / "points.toml").read_text().replace("points-flank.csv", f"../{POINTS}")
     cosine = 'family = "cosine"\nradial_deformation = 0.25'
     assert cosine in text
     (scenes / "drive.toml").write_text(text.replace(cosine, 'family = "table"\nfile = "a/cam.csv"'))
@@ -453,14 +456,14 @@ def test_the_folder_has_the_files_that_the_scene_names(scheduler, tmp_path):
     depth = list(found.frame["depth"][:4])
     assert len(set(depth)) == 4  # every cam and every wall
     names = {each.name for each in (first / "files").iterdir()}
-    assert len(names) == 3 and {"cam.csv", "points-flank.csv"} < names
+    assert len(names) == 3 and {"cam.csv", POINTS} < names
     assert study.run(file, first, scheduler=scheduler, progress=False).done == 0
     cam = tmp_path / "scenes/b/cam.csv"
     cam.write_text(cam.read_text().replace("0.24", "0.23"))
     with pytest.raises(hdconj.InputError, match="holds rows of another study"):
         study.run(file, first, scheduler=scheduler, progress=False)
     shutil.rmtree(tmp_path / "scenes")
-    (tmp_path / "points-flank.csv").unlink()
+    (tmp_path / POINTS).unlink()
     study.run(first / "study.toml", tmp_path / "second", scheduler=scheduler, progress=False)
     again = study.open(tmp_path / "second").frame
     assert found.frame.drop(columns="cause").equals(again.drop(columns="cause"))  # which names the missing file

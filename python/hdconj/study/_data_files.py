@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from .._scene import Scene
+from .._scene import Scene, quoted
 from ._keys import Key
 
 FOLDER = "files"  # of the copies, in that of the study
@@ -60,7 +60,7 @@ def renamed(text: str, names: Mapping[str, str]) -> str:
     """A text of TOML or JSON with other names where it names files."""
     for name, other in names.items():
         for written in (json.dumps(name), json.dumps(name, ensure_ascii=False), f"'{name}'"):
-            text = text.replace(written, json.dumps(other))
+            text = text.replace(written, quoted(other))
     return text
 
 
