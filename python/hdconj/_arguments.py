@@ -19,22 +19,30 @@ _LARGEST = 2**31 - 1  # of the program's whole numbers
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 
+def _plain(given: Any) -> Any:
+    """Python's own for what NumPy has; of an array without dimensions its one value."""
+    return given.tolist() if hasattr(given, "tolist") else given
+
+
 def number(name: str, given: Any) -> float:
+    given = _plain(given)
     if isinstance(given, bool) or not isinstance(given, Real):
         _refuse(name, "a number", given)
     return float(given)
 
 
 def whole(name: str, given: Any) -> int:
+    given = _plain(given)
     if isinstance(given, bool) or not isinstance(given, Integral) or abs(index(given)) > _LARGEST:
         _refuse(name, f"a whole number up to {_LARGEST}", given)
     return index(given)
 
 
 def truth(name: str, given: Any) -> bool:
-    if type(given).__name__ not in ("bool", "bool_"):  # Python's, and both names of NumPy's
+    given = _plain(given)
+    if not isinstance(given, bool):
         _refuse(name, "True or False", given)
-    return bool(given)
+    return given
 
 
 def word(name: str, given: Any) -> str:
@@ -129,7 +137,7 @@ def checked(function: Function) -> Function:
 
 def numbers(name: str, given: float | Sequence[float]) -> list[float]:
     """Of one number, or of several."""
-    given = given.tolist() if hasattr(given, "tolist") else given  # of an array without dimensions one number
+    given = _plain(given)
     if isinstance(given, Real):
         return [number(name, given)]
     if isinstance(given, str) or not isinstance(given, Iterable):

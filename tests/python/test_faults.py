@@ -140,6 +140,7 @@ def test_wrong_words_are_faults():
         ("points", lambda page: hdconj.load(torque=20, points=10**9)),
         ("torque", lambda page: hdconj.load(torque=0)),
         ("torque", lambda page: hdconj.load(torque=-5)),
+        ("torque", lambda page: hdconj.load(torque=np.array(-5.0))),
         ("positions", lambda page: hdconj.run(positions=10**9)),
         ("sample", lambda page: hdconj.accuracy(sample=-1)),
         ("repeats", lambda page: hdconj.accuracy(repeats=-1)),
@@ -205,7 +206,8 @@ def test_wrong_types_say_what_is_expected(said, call):
 def test_numbers_of_numpy_are_numbers(coned):
     given = {"tilts_deg": np.float32(0.125), "revolution": np.int64(2), "errors": np.bool_(False)}
     plain = hdconj.contact(coned, tilts_deg=0.125, revolution=2, errors=False)
-    assert (hdconj.contact(coned, **given).contact.contact_area == plain.contact.contact_area).all()
+    for numbers in given, {name: np.array(number) for name, number in given.items()}:
+        assert (hdconj.contact(coned, **numbers).contact.contact_area == plain.contact.contact_area).all()
 
 
 def test_one_tilt_is_a_list_of_one(coned):
