@@ -115,14 +115,19 @@ def _plain(value: Any) -> Any:
     return value.item() if isinstance(value, np.generic) else value
 
 
+def _dim(stored: Any, scales: Any) -> str:
+    """Name of a dimension, which is that of its scale."""
+    name = scales[0].name if len(scales) else stored.name
+    if name is None:  # the scale is no longer in the file
+        raise KeyError(stored.name)
+    return str(name).rsplit("/", 1)[-1]
+
+
 def _read_dataset(stored: Any) -> Dataset:
     is_text = h5py.check_string_dtype(stored.dtype) is not None
     values: Array = stored.asstr(errors="surrogateescape")[...] if is_text else stored[...]
-    dims = []
-    for i, scales in enumerate(stored.dims):
-        dims.append(scales[0].name.rsplit("/", 1)[-1] if len(scales) else stored.name.rsplit("/", 1)[-1])
     about = [_plain(stored.attrs.get(name, "")) for name in ("units", "long_name")]
-    return dataset(values, about[0], about[1], tuple(dims))
+    return dataset(values, about[0], about[1], tuple(_dim(stored, scales) for scales in stored.dims))
 
 
 def _derived(attrs: dict[str, Any], datasets: dict[str, Dataset], apart: Any) -> Iterator[tuple[Any, ...]]:
@@ -185,13 +190,17 @@ def read(file: str | os.PathLike[str]) -> Group:
     Raises
     ------
     FileError
-        It cannot be read, is no HDF5 file or is cut off, or its bytes are not those that were written.
+        It cannot be read, is no HDF5 file or is cut off, lacks parts, or its bytes are not those that were written.
     """
     name = os.fspath(file)
     try:
         _check(name)
         with h5py.File(name, "r") as stored:
-            return Group._from_layout(_read_group(stored))
+            try:
+                return Group._from_layout(_read_group(stored))
+            except (KeyError, RuntimeError, TypeError, ValueError) as error:  # of h5py, where references lead nowhere
+                cause = "parts of it are missing or damaged"
+                raise FileError(f"{name}: {cause}; name a file that hdconj or to_hdf5() wrote") from error
     except FileError:
         raise
     except OSError as error:

@@ -11,7 +11,7 @@ from typing import Any, Optional, Union
 
 from . import _core, _hdf5, _results
 from ._arguments import checked, interval, number, numbers, word, words
-from ._errors import Fault, InputError, fault_text
+from ._errors import Fault, FileError, InputError, fault_text
 from ._scene import Scene, SceneLike, scene_of
 
 Progress = Union[bool, Callable[[str, Optional[float]], None]]
@@ -430,7 +430,7 @@ def report(
         if isinstance(given, (str, os.PathLike)) and _core.is_result_file(name := os.fspath(given)):
             try:
                 return name, _hdf5.read(name)
-            except (OSError, KeyError, RuntimeError, TypeError, ValueError) as error:
+            except FileError as error:
                 return name, str(error)  # a fault among those of the others
         return scene_of(given)._core
 

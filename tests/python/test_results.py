@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Results as objects: figures, files, tables, pictures, pickles."""
 
+import contextlib
 import inspect
 import os
 import pickle
@@ -133,6 +134,22 @@ def test_what_is_no_result_file_is_a_file_error(solution, tmp_path):
     for name in ("cut.h5", "text.h5", "nowhere.h5", "."):
         with pytest.raises(hdconj.FileError, match=re.escape(str(tmp_path / name))):
             hdconj.read(tmp_path / name)
+
+
+@pytest.mark.parametrize("part", ["xy", "circular_spline/point", "conjugate_zones/zone", "envelope/branch_000/u"])
+def test_a_file_that_lacks_what_others_refer_to_is_a_file_error(part, solution, tmp_path):
+    solution.to_hdf5(tmp_path / "result.h5")
+    with h5py.File(tmp_path / "result.h5", "r+") as file:
+        shape = file[part].shape
+        del file[part]
+    with pytest.raises(hdconj.FileError, match="result.h5: parts of it are missing"):
+        hdconj.read(tmp_path / "result.h5")
+    with pytest.raises(hdconj.InputError, match="parts of it are missing"):
+        hdconj.report(tmp_path / "result.h5", tmp_path / "page.html")
+    with h5py.File(tmp_path / "result.h5", "r+") as file:
+        file[part] = np.zeros(shape)
+    with contextlib.suppress(hdconj.FileError):  # HDF5 may put it where the former one was
+        hdconj.read(tmp_path / "result.h5")
 
 
 def test_a_result_is_no_scene(solution):
