@@ -7,7 +7,7 @@ import os
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from typing import Any, Optional, Union
+from typing import Any, NoReturn, Optional, Union
 
 from . import _core, _hdf5, _results
 from ._arguments import checked, interval, number, numbers, word, words
@@ -37,6 +37,11 @@ def _calling(progress: Progress) -> Iterator[tuple[Callable[[str, float | None],
             yield show, is_main
     else:
         yield (progress or None), is_main
+
+
+def _refuse(path: str, value: object, reason: str, remedy: str) -> NoReturn:
+    faults = (Fault(path, 0, str(value), reason, remedy),)
+    raise InputError(faults, fault_text(faults))
 
 
 @checked
@@ -182,9 +187,7 @@ def load(
     """
     asked = scene_of(scene)
     if points is not None and not curve:
-        reason = "curve=False leaves no curve that could have points"
-        faults = (Fault("points", 0, str(points), reason, "leave one of them out"),)
-        raise InputError(faults, fault_text(faults))
+        _refuse("points", points, "curve=False leaves no curve that could have points", "leave one of them out")
     if measured is not None and not isinstance(measured, _results.Measurement):
         measured = _read_measured(measured, asked)
     seen = measured._kept() if measured is not None else None
@@ -405,7 +408,7 @@ def report(
         :func:`load` or :func:`run`, or the path of its file. It is shown as it is: of its scene only the motion of the
         teeth is computed.
     file : path
-        The page. It opens from disk and needs no network.
+        The page, NAME.html. It opens from disk and needs no network.
     parts : str or sequence of str
         What is computed of a scene beside the circular spline: "contact", "load", "run", "wedm", "design".
     tilts_deg : float or sequence of float
@@ -422,7 +425,9 @@ def report(
     list of str
         Parts that were asked for and have no result, each with its cause.
     """
-
+    page = os.fsdecode(file)
+    if os.path.splitext(page)[1].lower() != ".html":
+        _refuse("file", page, "a browser knows the file by its ending .html", "write NAME.html")
 
     def source_of(given: Any) -> Any:
         if isinstance(given, _results.Result):
@@ -438,7 +443,7 @@ def report(
     asked = [source_of(each) for each in listed]
     options = (words("parts", parts), numbers("tilts_deg", tilts_deg), revolution, curve)
     with _calling(progress) as call:
-        return _core.report(asked, os.fspath(file), *options, *call)
+        return _core.report(asked, page, *options, *call)
 
 
 @checked

@@ -156,6 +156,7 @@ def test_wrong_words_are_faults():
         ("diameter", lambda page: hdconj.design(100)),
         ("length_ratio", lambda page: hdconj.design(100, diameter=50, length_ratio=3)),
         ("scenes", lambda page: hdconj.report([], page)),
+        ("file", lambda page: hdconj.report(None, page.with_suffix(".txt"))),
         ("dialects", lambda page: hdconj.wedm(dialects="foo")),
         ("name", lambda page: hdconj.design(100, diameter=50, name="a\nb")),
         ("probe", lambda page: hdconj.inspect(None, TEETH, probe=math.nan)),
