@@ -65,6 +65,23 @@ _RIG = ("torque_constant", "counts_per_turn", "ratio", "efficiency")
 _VALUE = r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?|FROM,TO|b-spline|circular-spline|contact|flexspline|load|radial|tilted"
 # An option, and the value that follows it; commands in quotes stay as they are.
 _OPTION = re.compile(rf"`[^`]*`|(?m:^POINTS\b)|(?<![\w-])--([a-z]+(?:-[a-z]+)*)(?: ({_VALUE})(?![\w-]))?")
+# The heading of faults of changes, and a change or a removal that a remedy names.
+_SET = re.compile(r"(?m:^--set:)|--set (?:'!([\w.]+)'|([\w.]+)=([\w.-]+))")
+
+
+def as_changes(text: str) -> str:
+    """What the program says of ``--set``, with :meth:`Scene.with_` in its place."""
+
+    def change(match: re.Match[str]) -> str:
+        removed, path, value = match.groups()
+        if removed:
+            return f'with_({{"{removed}": None}})'
+        if not path:
+            return "with_():"
+        shown = value if value[0].isdigit() or value == "value" else f'"{value}"'
+        return f'with_({{"{path}": {shown}}})'
+
+    return _SET.sub(change, text)
 
 
 def _in_arguments(text: str, names: Sequence[str], takes_any: bool) -> str:
@@ -87,7 +104,7 @@ def _in_arguments(text: str, names: Sequence[str], takes_any: bool) -> str:
             return f"read_measured(FILE, {name}={value or '...'})"
         return " = ".join(filter(None, (_KEYS[option], value))) if option in _KEYS else match[0]
 
-    return _OPTION.sub(argument, text)
+    return _OPTION.sub(argument, as_changes(text))
 
 
 def _by_arguments(error: InputError, names: Sequence[str], takes_any: bool) -> InputError:

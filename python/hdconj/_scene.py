@@ -15,6 +15,7 @@ from typing import Any, Union
 import numpy as np
 
 from . import _core
+from ._arguments import as_changes
 from ._errors import Fault
 from ._tree import Group
 
@@ -158,7 +159,8 @@ class Scene:
 
     def check(self) -> tuple[Fault, ...]:
         """Every fault, in order of place; empty where the scene can be computed."""
-        return tuple(Fault(*fault) for fault in self._core.faults)
+        faults = (Fault(*fault) for fault in self._core.faults)
+        return tuple(fault._replace(remedy=as_changes(fault.remedy)) for fault in faults)
 
     def plan(self, verb: str = "solve") -> dict[str, Any]:
         """Stages that "solve", "contact", "load" or "run" would run and why, as ``hdconj check --json``."""

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Bad input is refused with the faults of the program, word by word."""
 
+import ast
 import enum
 import json
 import math
@@ -60,8 +61,20 @@ def test_changes_are_those_of_set():
     )
     with pytest.raises(hdconj.InputError) as refused:
         hdconj.solve(scene)
-    assert str(refused.value) == said.stderr.split("\n", 1)[1].rstrip("\n")
+    assert str(refused.value) == said.stderr.split("\n", 1)[1].rstrip("\n").replace("--set: ", "with_(): ")
     assert {fault.origin for fault in scene.check()} == {"--set"}
+
+
+@pytest.mark.parametrize("changes", [{"tilt": None}, {"a wall": 0.8}, {"solver.kinematics": {1}}])
+def test_remedies_of_changes_can_be_followed(changes):
+    scene = hdconj.Scene().with_(changes)
+    (fault,) = scene.check()
+    *_, remedy = re.findall(r"with_\((.*?)\)", fault.remedy)
+    assert hdconj.Scene().with_({"tilt.angle_deg": 0.2}).with_(ast.literal_eval(remedy)).check() == ()
+    with pytest.raises(hdconj.InputError) as refused:
+        hdconj.solve(scene)
+    assert refused.value.faults == (fault,) and fault.remedy in str(refused.value)
+    assert "--" not in str(refused.value)
 
 
 def test_numerical_failure():
