@@ -6,6 +6,8 @@
 #include <functional>
 #include <limits>
 
+#include "hdconj/base/stop.hpp"
+
 namespace hdconj::cam {
 namespace {
 
@@ -91,6 +93,7 @@ class Stepper
     {
         constexpr double order = 8, safety = 0.9, least = 0.2, most = 4;
         for (;;) {
+            end_if_stopped();
             double const rest = limit - from.x;
             double const step = std::min(step_, rest);
             try {

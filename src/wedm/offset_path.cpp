@@ -7,7 +7,9 @@
 #include <tuple>
 #include <utility>
 
+#include "hdconj/base/stop.hpp"
 #include "lean.hpp"
+#include "segment_grid.hpp"
 
 namespace hdconj::wedm {
 namespace {
@@ -101,15 +103,14 @@ struct Box
 
 std::vector<Jump> loops(std::vector<Vec2> const& c)
 {
-    std::vector<Box> boxes;
-    for (std::size_t i = 0; i + 1 < c.size(); ++i)
-        boxes.emplace_back(c[i], c[i + 1]);
+    SegmentGrid const grid(c, false);
     std::vector<Jump> found;
     double done = 0;  // parameter up to which the path is settled
-    for (std::size_t i = 0; i < boxes.size();) {
+    for (std::size_t i = 0; i + 1 < c.size();) {
+        end_if_stopped();
         std::optional<Jump> first;
-        for (std::size_t j = i + 2; j < boxes.size(); ++j) {
-            if (!boxes[i].meets(boxes[j]))
+        for (std::size_t const j : grid.near(i)) {
+            if (j < i + 2 || !Box(c[i], c[i + 1]).meets(Box(c[j], c[j + 1])))
                 continue;
             auto const shares = crossing(c[i], c[i + 1], c[j], c[j + 1]);
             double const from = shares ? static_cast<double>(i) + shares->first : 0;

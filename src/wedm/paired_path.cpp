@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "hdconj/base/stop.hpp"
+
 namespace hdconj::wedm {
 
 PairedPath taken(PairedPath const& path, std::vector<std::size_t> const& indices)
@@ -50,6 +52,7 @@ std::vector<std::size_t> thinned_to_long_moves(PairedPath const& path, double to
     std::vector<Way> ways(path.size(), {unknown, unknown, 0});
     ways.front() = {};
     for (std::size_t a = 0; a + 1 < path.size(); ++a) {
+        end_if_stopped();
         for (std::size_t b = a + 1; b < path.size() && reaches(path, a, b, tolerance); ++b) {
             Way const way{ways[a].shorts + (is_short(a, b) ? 1 : 0), ways[a].moves + 1, a};
             if (std::pair(way.shorts, way.moves) < std::pair(ways[b].shorts, ways[b].moves))
@@ -69,6 +72,7 @@ std::vector<std::size_t> thinned(PairedPath const& path, double tolerance, std::
     auto next_kept = keep.begin();
     std::size_t const last = path.size() - 1;
     while (kept.back() < last) {
+        end_if_stopped();
         std::size_t const from = kept.back();
         while (next_kept != keep.end() && *next_kept <= from)
             ++next_kept;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "hdconj/base/stop.hpp"
+
 namespace hdconj::wedm {
 namespace {
 
@@ -78,8 +80,21 @@ void SegmentGrid::cells_of(std::size_t segment, Body&& body) const
             body(number(x, y));
 }
 
+std::vector<std::size_t> SegmentGrid::near(std::size_t segment) const
+{
+    std::vector<std::size_t> found;
+    cells_of(segment, [&](std::size_t cell) {
+        for (std::size_t m = begin_[cell]; m < begin_[cell + 1]; ++m)
+            found.push_back(members_[m]);
+    });
+    std::ranges::sort(found);
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
 double SegmentGrid::distance(Vec2 const& p, Lean const& lean) const
 {
+    end_if_stopped();
     Cell const home = cell_of(p);
     double best = std::numeric_limits<double>::infinity();
     int const last = std::max(columns_, rows_);

@@ -21,6 +21,9 @@ class SegmentGrid
     /// Distance of @p p from the nearest segment, as it is seen along @p lean [mm].
     [[nodiscard]] double distance(Vec2 const& p, Lean const& lean = {}) const;
 
+    /// Numbers of the segments that may touch or cross @p segment, itself among them, in ascending order.
+    [[nodiscard]] std::vector<std::size_t> near(std::size_t segment) const;
+
     /// Two segments that are not neighbours and touch or cross; nothing found: both numbers 0.
     [[nodiscard]] std::pair<std::size_t, std::size_t> crossing() const;
 

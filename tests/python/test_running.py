@@ -129,10 +129,14 @@ def test_the_lock_is_released():
 
 
 CONED = SOURCE / "data/scenes/type-50-coned.toml"
+WANTED = SOURCE / "data/scenes/type-50-wanted.toml"
+FINE_CUT = {"solver.tolerance": 1e-10, "wedm.tolerance": 1e-5, "wedm.decimals": 6}
 LONG_WORK = {
     "load": lambda: hdconj.load(points=300),
     "contact": lambda: hdconj.contact(CONED, tilts_deg=[0.01 * i for i in range(99)]),
     "accuracy": lambda: hdconj.accuracy(),
+    "wedm": lambda: hdconj.wedm(hdconj.Scene().with_(FINE_CUT)),
+    "neutral curve": lambda: [hdconj.find_neutral_curve(WANTED) for _ in range(20)],
     "design": lambda: [hdconj.design(100, diameter=50, torque=28) for _ in range(20)],
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "grid.hpp"
+#include "hdconj/base/stop.hpp"
 #include "wedm/segment_grid.hpp"
 
 namespace hdconj::wedm {
@@ -167,6 +168,7 @@ std::vector<Corner> corners_of(WireLines const& lines, double least, double allo
     if (auto const first = lines.corner(0, 1))
         chains[1].push_back({0, 0, *first, 0, first->deviation});
     for (std::size_t i = 1; i < last; ++i) {
+        end_if_stopped();
         if (chains[i].empty())
             continue;
         for (std::size_t j = i + 1; j <= last; ++j) {

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
+
+#include <Eigen/Geometry>
 
 #include "hdconj/error.hpp"
 #include "hdconj/read_scene.hpp"
@@ -439,6 +442,29 @@ TEST_CASE("wire data that cannot be right is refused with its key", "[wedm]")
     }
     CHECK(faults_of({"tilt.angle_deg=0.2"}).empty());
     CHECK_THROWS_AS(wire_program(builtin_scene({"wedm.largest_travel=20"})), NumericalError);
+}
+
+TEST_CASE("a grid of segments knows which may cross", "[wedm]")
+{
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> step(-1, 1);
+    std::vector<Vec2> line{{0, 0}};
+    for (int i = 0; i < 400; ++i)
+        line.push_back(line.back() + Vec2(step(random), step(random)));
+    wedm::SegmentGrid const grid(line, false);
+    auto const reach = [&](std::size_t i) {
+        return Eigen::AlignedBox2d(line[i].cwiseMin(line[i + 1]), line[i].cwiseMax(line[i + 1]));
+    };
+    std::size_t looked_at = 0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        std::vector<std::size_t> const near = grid.near(i);
+        looked_at += near.size();
+        CHECK(std::ranges::is_sorted(near));
+        for (std::size_t j = 0; j + 1 < line.size(); ++j)
+            if (reach(i).intersects(reach(j)))
+                CHECK(std::ranges::binary_search(near, j));
+    }
+    CHECK(looked_at < 400 * 400 / 4);
 }
 
 }  // namespace hdconj::test::wedm_program_cases
