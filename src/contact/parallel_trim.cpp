@@ -192,23 +192,25 @@ double trim_overlaps(std::vector<Vec2> const& bare, std::vector<Vec2>& moved, st
     return sharpest;
 }
 
-double overlap_at_ends(FlankGrid const& bare, double distance)
+double overlap_at_ends(FlankGrid const& bare, double distance, std::vector<double> const& clearance)
 {
     double left = 0;
+    double const least = clearance.empty() ? 0 : std::ranges::min(clearance);
     for (std::size_t f = 0; f < 2 && distance != 0; ++f) {
-        double sharpest = 0;
-        std::size_t with = 0;
+        std::vector<double> turns;
         for (std::size_t k = 0; k < bare.slices(); ++k) {
             auto const& line = bare.line[f].empty() ? bare.point[f][k] : bare.line[f][k];
             std::vector<Vec2> moved = line, normal = bare.line[f].empty() ? bare.normal[f][k] : bare.line_normal[f][k];
             for (std::size_t i = 0; i < moved.size(); ++i)
                 moved[i] += distance * normal[i];
-            double const turn = trim_overlaps(line, moved, normal);
-            sharpest = std::max(sharpest, turn);
-            with += turn > 0 ? 1 : 0;
+            turns.push_back(trim_overlaps(line, moved, normal));
         }
-        if (with < bare.slices())
-            left = std::max(left, std::abs(distance) * (1 - std::cos(sharpest)));
+        for (std::size_t k = 1; k < turns.size(); ++k) {
+            if ((turns[k] == 0) == (turns[k - 1] == 0))
+                continue;
+            double const clears = clearance.empty() ? least : std::min(clearance[k - 1], clearance[k]);
+            left = std::max(left, std::abs(distance) * (1 - std::cos(turns[k] + turns[k - 1])) - (clears - least));
+        }
     }
     return left;
 }

@@ -64,7 +64,8 @@ double least_of(SliceClearances const& clearances, ClearanceSet const& set, doub
 /// between them (between_places()), fall below; around the bottom between its points too. With the accuracy to which a
 /// place between two points is known.
 /// @param unseen  further error of the flanks [mm]
-void write_clearance_errors(ErrorPlanes const& planes, double given, double unseen, ContactCase& result)
+/// @param anew    whether planes between the slices have corners of their own
+void write_clearance_errors(ErrorPlanes const& planes, double given, double unseen, bool anew, ContactCase& result)
 {
     ContactContext const& context = planes.surface.context();
     double const enough = clearance_accuracy(context.tolerance), chord = context.tolerance.length;
@@ -86,7 +87,8 @@ void write_clearance_errors(ErrorPlanes const& planes, double given, double unse
         slice.root_error = over(slice.root.clearance, root[plane]) + (enough + bottom.known) + (joined ? chord : 0);
         least_root = std::min(least_root, slice.root.clearance);
     }
-    result.clearance_error = over(result.closest_flank().clearance, numeric::least_between(flank)) + enough + unseen;
+    result.clearance_error = over(result.closest_flank().clearance, numeric::least_between(flank)) + enough + unseen +
+                             (anew ? overlap_at_ends(planes.grid, given, flank) : 0);
     result.root_clearance_error = over(least_root, numeric::least_between(root)) + enough + bottom.known;
 }
 
@@ -238,24 +240,21 @@ void write_deviation(ErrorPlanes const& planes, Surfaces const& made, bool error
 void write_errors_in(ErrorPlanes const& planes, CaseSurface const& in_slices, Surfaces const& made, ContactCase& result)
 {
     ContactContext const& context = planes.surface.context();
-    double const chord = context.tolerance.length;
-    FlankGrid const& flanks = made.flanks.grid;
-    FlankGrid const& cleared = made.cleared.flanks.grid;
     // planes between slices that are solved anew have their own chords, were made to clear a tooth by points, and have
     // corners that move along the flank
-    bool const anew = planes.surface.is_solved_per_plane() && flanks.slices() > 1;
-    double const chords = anew ? 2 * chord : 0;
+    bool const anew = planes.surface.is_solved_per_plane() && made.flanks.grid.slices() > 1;
+    double const chords = anew ? 2 * context.tolerance.length : 0, reach = result.least_side_clearance;
     // a clearance falls no faster than the flank goes on
-    double const unseen = unseen_length(flanks, made.given) + chords + (anew ? overlap_at_ends(flanks, made.given) : 0);
-    write_clearance_errors(planes, made.given, unseen, result);
+    write_clearance_errors(planes, made.given, unseen_length(made.flanks.grid, made.given) + chords, anew, result);
     SliceClearances const& clearances = planes.clearances;
     // with the same tip circle and side clearance the cleared surface is the one that was made
-    bool const same = made.cleared.tip == made.tip && result.least_side_clearance == made.given;
-    result.least_side_clearance_error =
-        least_clearance_error(context, clearances, flank_set(planes.cleared.grid, !has_mirrored_flanks(context)),
-                              result.least_side_clearance, false, same ? planes.flank : nullptr) +
-        unseen_length(cleared, result.least_side_clearance) + chords +
-        (anew ? overlap_at_ends(cleared, result.least_side_clearance) : 0);
+    TurnsOfSet const* const known = made.cleared.tip == made.tip && reach == made.given ? planes.flank : nullptr;
+    ClearanceSet const flank = flank_set(planes.cleared.grid, !has_mirrored_flanks(context));
+    result.least_side_clearance_error = least_clearance_error(context, clearances, flank, reach, false, known) +
+                                        unseen_length(made.cleared.flanks.grid, reach) + chords;
+    if (anew && overlap_at_ends(planes.cleared.grid, reach) > 0)
+        result.least_side_clearance_error +=
+            overlap_at_ends(planes.cleared.grid, reach, lowest_of(clearances, flank, reach, false, known));
     result.least_root_clearance_error = least_clearance_error(
         context, clearances, root_set(planes.outline, made.given, context.tolerance), result.least_root_clearance, true,
         result.least_root_clearance == 0 ? planes.root : nullptr);
