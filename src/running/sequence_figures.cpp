@@ -36,6 +36,26 @@ Spread spread_of(std::vector<double> const& values)
     return result;
 }
 
+/// How far the extremes of a smooth curve, but for kinks, may lie beyond @p values, its values at even places: for a
+/// peak with straight sides half of the fall to the lower neighbour of the highest value, and the like at the lowest; a
+/// round peak has a quarter of that. 0 for places of whole pitches, where teeth have errors of their own.
+double beyond_extremes(std::vector<double> const& values, SpanPlan const& plan)
+{
+    if (plan.span != RunSpan::tooth_pitch)
+        return 0;
+    auto const [low, high] = std::ranges::minmax_element(values);
+    auto const beside = [&](auto const& at) {
+        auto const before = at != values.begin() ? at - 1
+                            : plan.repeats       ? values.end() - 1
+                                                 : at,
+                   behind = at + 1 != values.end() ? at + 1
+                            : plan.repeats         ? values.begin()
+                                                   : at;
+        return std::minmax(*before, *behind);
+    };
+    return 0.5 * (*high - beside(high).first + beside(low).second - *low);
+}
+
 /// Every value, or every @p step-th from @p first on.
 std::vector<double> column(std::vector<RunPosition> const& positions, double RunPosition::*value, std::size_t first = 0,
                            std::size_t step = 1)
@@ -124,9 +144,10 @@ std::vector<double> sizes_of(std::vector<double> const& values)
     return sizes;
 }
 
-void enter_torque(RunSequence& sequence, RunningMotion const& motion)
+void enter_torque(RunSequence& sequence, SpanPlan const& plan, RunningMotion const& motion)
 {
-    Spread const torque = spread_of(column(sequence.positions, &RunPosition::wave_generator_torque));
+    std::vector<double> const torques = column(sequence.positions, &RunPosition::wave_generator_torque);
+    Spread const torque = spread_of(torques);
     Spread const by_teeth = spread_of(column(sequence.positions, &RunPosition::torque_by_teeth));
     sequence.mean_torque = torque.mean;
     // over a whole period no work remains in the drive
@@ -136,7 +157,7 @@ void enter_torque(RunSequence& sequence, RunningMotion const& motion)
     std::vector<double> apart;
     for (RunPosition const& each : sequence.positions)
         apart.push_back(std::abs(each.wave_generator_torque - torque.mean - (each.torque_by_teeth - by_teeth.mean)));
-    sequence.torque_ripple_error = 2 * *std::ranges::max_element(apart);
+    sequence.torque_ripple_error = 2 * *std::ranges::max_element(apart) + beyond_extremes(torques, plan);
     std::vector<double> const errors = sizes_of(apart);
     for (std::size_t i = 0; i < errors.size(); ++i)
         sequence.positions[i].torque_error = sequence.mean_torque_error + 2 * errors[i];
@@ -147,9 +168,11 @@ void enter_torque(RunSequence& sequence, RunningMotion const& motion)
 void enter_figures(RunSequence& sequence, SpanPlan const& plan, RunningMotion const& motion,
                    std::optional<double> drift)
 {
-    Spread const all = spread_of(column(sequence.positions, &RunPosition::error));
+    std::vector<double> const errors = column(sequence.positions, &RunPosition::error);
+    Spread const all = spread_of(errors);
     sequence.peak_to_peak = all.peak_to_peak;
     sequence.rms = all.rms;
+    sequence.peak_to_peak_error = beyond_extremes(errors, plan);
     for (std::size_t const first : {0U, 1U}) {
         Spread const half = spread_of(column(sequence.positions, &RunPosition::error, first, 2));
         sequence.peak_to_peak_error = std::max(sequence.peak_to_peak_error, all.peak_to_peak - half.peak_to_peak);
@@ -158,7 +181,7 @@ void enter_figures(RunSequence& sequence, SpanPlan const& plan, RunningMotion co
     if (drift)
         enter_orders(sequence, plan, motion, *drift);
     if (sequence.torque != 0)
-        enter_torque(sequence, motion);
+        enter_torque(sequence, plan, motion);
 }
 
 void add_grid_error(RunSequence& sequence, RunSequence const& coarse, double safety)

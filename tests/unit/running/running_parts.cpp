@@ -8,6 +8,7 @@
 
 #include "hdconj/units.hpp"
 #include "running/friction_loss.hpp"
+#include "running/losses.hpp"
 #include "running/sequence_figures.hpp"
 #include "running/sequences.hpp"
 #include "running/spectrum.hpp"
@@ -174,6 +175,22 @@ TEST_CASE("errors of orders contain what higher orders look like them", "[runnin
     }
 }
 
+TEST_CASE("peak to peak is known to what lies between the positions", "[running]")
+{
+    // peaks with straight sides, whose places the positions miss by as much as they can and by less
+    for (auto const& error : {+[](double at) { return std::abs(at - std::round(at)); },
+                              +[](double at) { return 2 * std::abs(std::sin(pi * (at + 0.07))); },
+                              +[](double at) { return std::cos(2 * pi * at + 0.9); }}) {
+        double const exact = sequence_of(2001, error).peak_to_peak;
+        for (int const positions : {4, 5, 6, 7, 8, 9, 12, 16, 17, 40}) {
+            CAPTURE(positions);
+            RunSequence const few = sequence_of(positions, error);
+            CHECK(std::abs(few.peak_to_peak - exact) <= few.peak_to_peak_error);
+            CHECK(few.peak_to_peak_error < 4.5 * exact / positions);
+        }
+    }
+}
+
 TEST_CASE("viscosity goes through both values and falls between them", "[running]")
 {
     Friction friction;
@@ -246,6 +263,31 @@ TEST_CASE("without losses the efficiency is 1, and a constant loss takes all of 
     friction = {};
     friction.flanks = 0.1;
     CHECK(running::efficiency_at(loss_model(friction), run, 100, 40).flanks == Approx(0.1 * 10 * 0.5 * 1.01));
+}
+
+TEST_CASE("losses that grids share out otherwise are not known by their sum", "[running]")
+{
+    Friction friction;
+    friction.flanks = 0.1;
+    friction.bearing_load = 0.001;
+    running::LossModel const model = loss_model(friction);
+    running::RunTask const task{.motion = model.motion, .speeds = {100}, .temperatures = {40}};
+    auto const runs_of = [&](double force, double balls) {
+        running::LoadedRun const loaded{1000, {{{{force, 0.5, 0}}, 1}}, balls};
+        return running::LossRuns{{{0, {}, balls}, loaded}, {}, 0};
+    };
+    auto const row_of = [&](double force, double balls) {
+        return running::efficiency_at(model, runs_of(force, balls).asked.back(), 100, 40);
+    };
+    // as much less on the flanks as more in the bearing
+    double const by_flanks = row_of(10, 300).flanks - row_of(8, 300).flanks,
+                 by_ball = row_of(10, 301).bearing_load - row_of(10, 300).bearing_load;
+    running::LossRuns const coarse = runs_of(8, 300 + by_flanks / by_ball);
+    RunLosses const found = running::run_losses(model, task, runs_of(10, 300), {coarse, coarse}, 4);
+    EfficiencyRow const row = found.efficiency.back();
+    CHECK(row_of(8, coarse.asked.back().ball_load).input_torque == Approx(row.input_torque));
+    CHECK(row.input_torque_error >= 4 * by_flanks);
+    CHECK(row.efficiency_error == Approx(row.efficiency * row.input_torque_error / row.input_torque));
 }
 
 TEST_CASE("the wave generator is driven back where the torque has overcome what rests", "[running]")
