@@ -112,7 +112,7 @@ void write_load_table(Page& page, LoadStudy const& study)
         write_values(page, study, each);
         write_errors_of(page, study, each);
         if (!is_rated(study, each))
-            page.line("    at {}: there is no balance at {}", torque_of(each), rated_torque(study));
+            page.line("    at {}: no result at {}, see the notes", torque_of(each), rated_torque(study));
     }
     write_legend(page, study);
 }

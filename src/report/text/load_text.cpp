@@ -212,7 +212,7 @@ std::string torque_of(LoadCase const& each)
 std::string largest_torque(LoadStudy const& study)
 {
     bool const all = std::ranges::all_of(study.cases, [&](LoadCase const& each) { return is_rated(study, each); });
-    return all ? rated_torque(study) : "the largest torque with a balance";
+    return all ? rated_torque(study) : "the largest torque with a result";
 }
 
 }  // namespace hdconj::report

@@ -84,4 +84,17 @@ TEST_CASE("the errors of two lines through a curve hold what more torques change
         }
 }
 
+TEST_CASE("where grids differ in the first line, the second one is known to a third of that", "[load]")
+{
+    load::CurveBranches const fine = smooth_curve(40, 0.004, 2e3);
+    load::CurveBranches soft = fine;
+    for (LoadedState& state : soft.forth)
+        state.twist += 0.001 * (1 - std::exp(-state.torque / 1e3));
+    StiffnessStages const found = load::stages_of(fine, {soft, soft}, 4);
+    double const first = found.first_error / found.first, second = found.second_error / found.second;
+    CHECK(first > 0.1);
+    CHECK(second >= first / 3 * (1 - 1e-12));
+    CHECK(second < 0.9 * first);
+}
+
 }  // namespace hdconj::test::curve_error_cases
