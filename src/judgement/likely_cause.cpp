@@ -35,11 +35,13 @@ std::pair<std::string, scene::Advice> likely_cause(NumericalError const& error, 
     return {cause, advice};
 }
 
-/// What @p error advises, and the usual radial deformation where that of @p pair is another.
+/// What @p error advises, and the usual radial deformation where that of @p pair is another and the error has found no
+/// remedy by computing. A larger one leaves less land.
 scene::Advice with_deformation(NumericalError const& error, UnsolvedPair const& pair)
 {
     constexpr double near = 0.02;  // ratios as near as that are no cause
-    if (std::abs(scene::deformation_ratio(pair.scene.drive, pair.geometry.w0) - 1) < near)
+    double const off = scene::deformation_ratio(pair.scene.drive, pair.geometry.w0) - 1;
+    if (!error.set().empty() || std::abs(off) < near || (error.code() == ErrorCode::no_land && off < 0))
         return {error.remedy(), error.set()};
     scene::Advice usual = scene::usual_pair(pair.scene, std::nullopt);
     if (usual.set.empty())

@@ -122,9 +122,17 @@ std::optional<Note> undercut(Solution const& solution)
                   short_number(to_deg(contact.lost), 3) + " more up to a cusp are cut away by other contacts";
     Scene const& scene = solution.scene;
     scene::Advice const usual = scene::usual_pair(scene, std::nullopt);
-    bool const off = scene::deformation_ratio(scene.drive, solution.geometry.w0) > 1 + near;
-    note->advice =
-        (off ? "write " + usual.words + ", or" : std::string("write")) + " a flank with a larger radius there";
+    double const ratio = scene::deformation_ratio(scene.drive, solution.geometry.w0);
+    bool const off = ratio > 1 + near, below = ratio < 1 - near;
+    std::string const other = scene.flexspline.profile.family == "double-circular-arc"
+                                  ? "a flank with a larger radius there"
+                                  : "a tooth of another family";
+    // far below it the usual deformation may cost contact: a part of the way is enough
+    note->advice = (off     ? "write " + usual.words + ", or "
+                    : below ? "write a radial deformation between " + short_number(solution.geometry.w0) + " and " +
+                                  short_number(scene::usual_deformation(scene.drive)) + " mm, or "
+                            : std::string("write ")) +
+                   other;
     if (off)
         note->set = usual.set;
     return note;

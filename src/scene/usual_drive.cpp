@@ -26,13 +26,17 @@ void Advice::add(std::string const& key, std::string const& value)
 
 namespace {
 
-/// Adds the tip circle that goes with the radial deformation @p w0; one that was given for another is left out.
+/// Adds the tip circle that goes with the radial deformation @p w0; one that was given for another is left out. One
+/// that is wider, for the lands' sake, stays where it leaves half of the working depth.
 void add_tip_circle(Scene const& scene, double w0, Advice& advice)
 {
     bool const given = scene.circular_spline.inner_radius.has_value();
     auto const usual = usual_tip_radius(scene, w0);
-    double const standard =
-        flexspline_pitch_radius(scene.drive) + w0 - scene.flexspline.profile.number_or("addendum", 0);
+    double const middle = flexspline_pitch_radius(scene.drive) + w0,
+                 addendum = scene.flexspline.profile.number_or("addendum", 0), standard = middle - addendum;
+    if (usual && given && *scene.circular_spline.inner_radius >= *usual &&
+        *scene.circular_spline.inner_radius <= (*usual + middle + addendum) / 2)
+        return;
     if (usual && (given || short_number(*usual) != short_number(standard))) {
         advice.add("circular_spline.inner_radius", short_number(*usual));
     } else if (given && !scene.is_reverse()) {

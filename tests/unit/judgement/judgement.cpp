@@ -465,6 +465,56 @@ TEST_CASE("a failure names the unusual radial deformation first, in the right di
     CHECK_NOTHROW(solve(builtin_scene(large.set())));
 }
 
+TEST_CASE("a tip circle that was made wide for the land stays with the usual deformation", "[judgement]")
+{
+    Keys const wide{"circular_spline.inner_radius=25.16", "circular_spline.backlash_offset=0.06"};
+    auto const noted = [&](std::string const& radius) {
+        Keys keys = wide;
+        keys.front() = "circular_spline.inner_radius=" + radius;
+        keys.emplace_back("wave_generator.radial_deformation=0.32");
+        std::optional<Note> note = note_of(judge(builtin_scene(keys)), NoteCode::deformation);
+        REQUIRE(note);
+        return *note;
+    };
+    CHECK(noted("25.16").set == Keys{"wave_generator.radial_deformation=0.25"});
+    CHECK_NOTHROW(solve(builtin_scene(wide)));
+    // one that leaves little depth then does not stay
+    CHECK(noted("25.35").set.size() == 2);
+}
+
+TEST_CASE("a land that is lost is won by what was computed, and by no larger deformation", "[judgement]")
+{
+    auto const failure = [](Keys const& keys) {
+        try {
+            (void)solve(builtin_scene(keys));
+        } catch (NumericalError const& error) {
+            return error;
+        }
+        throw std::logic_error("it was solved");
+    };
+    Keys keys{"wave_generator.radial_deformation=0.235", "circular_spline.inner_radius=25.02",
+              "circular_spline.backlash_offset=0.06"};
+    NumericalError const swept = failure(keys);
+    INFO(swept.what());
+    CHECK(swept.code() == ErrorCode::no_land);
+    CHECK_THAT(swept.remedy(), !ContainsSubstring("radial_deformation"));
+    REQUIRE(swept.set().size() == 1);
+    keys[1] = swept.set().front();
+    CHECK_NOTHROW(solve(builtin_scene(keys)));
+}
+
+TEST_CASE("of a tooth space without depth a smaller tip circle is advised", "[judgement]")
+{
+    for (std::string const radius : {"25.473", "25.4745"}) {
+        try {
+            (void)solve(builtin_scene({"circular_spline.inner_radius=" + radius}));
+            FAIL("no tooth enters there");
+        } catch (NumericalError const& error) {
+            CHECK_THAT(error.remedy(), ContainsSubstring("a smaller circular_spline.inner_radius"));
+        }
+    }
+}
+
 TEST_CASE("notes stand in text, JSON and HDF5", "[judgement]")
 {
     TemporaryFolder const folder;
