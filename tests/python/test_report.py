@@ -4,6 +4,7 @@
 import json
 from pathlib import Path
 
+import h5py
 import pytest
 from conftest import SOURCE, run_program
 
@@ -70,3 +71,16 @@ def test_a_damaged_file_is_refused_and_one_without_checksum_read(tmp_path):
                 hdconj.read(file)
         file.write_bytes(whole[:-22])
         assert (hdconj.read(file).circular_spline.outline == points).all()
+
+
+@pytest.mark.parametrize("missing", ["angle", "error", "error_error"])
+def test_a_run_without_one_of_its_columns_is_shown_without_that_curve(tmp_path, missing):
+    scene = hdconj.Scene().with_({"slices.count": 1, "contact.flank_points": 80})
+    file, page = tmp_path / "run.h5", tmp_path / "run.html"
+    hdconj.run(scene, torque=0, positions=4).to_hdf5(file)
+    run_program("report", file, "-o", page)
+    assert "Transmission error, unloaded" in page.read_text()
+    with h5py.File(file, "r+") as stored:
+        del stored["running/sequence_000"][missing]
+    run_program("report", file, "-o", page)
+    assert drives_of(page)[0]["results"].keys() == {"solve", "run"}

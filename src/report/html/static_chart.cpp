@@ -73,11 +73,22 @@ std::string points_text(Curve const& curve, Axis const& x, Axis const& y, double
     return text;
 }
 
+/// The curves whose values are all there, with errors where these are: a result may have been edited.
+std::vector<Curve> complete(std::vector<Curve> curves)
+{
+    std::erase_if(curves, [](Curve const& each) { return each.y.size() != each.x.size(); });
+    for (Curve& each : curves)
+        if (each.error.size() != each.x.size())
+            each.error.clear();
+    return curves;
+}
+
 /// Curves with bands of error, in the classes of web/style.css, as web/src/chart.js draws them.
 std::string chart(std::string_view title, std::string_view x_label, std::string_view y_label,
-                  std::vector<Curve> const& curves)
+                  std::vector<Curve> const& stored)
 {
     constexpr int styles = 4;
+    std::vector<Curve> const curves = complete(stored);
     Axis const x = across(curves), y = upward(curves);
     std::string lines, names;
     for (std::size_t n = 0; n < curves.size(); ++n) {
@@ -131,13 +142,13 @@ std::string efficiencies(Json const& losses)
                               value = column_of(losses, "efficiency", percent),
                               error = column_of(losses, "efficiency_error", percent);
     std::vector<Curve> curves;
-    for (std::size_t i = 0; i < torque.size(); ++i) {
+    for (std::size_t i = 0; i < std::min({torque.size(), speed.size(), temperature.size(), value.size()}); ++i) {
         std::string const name = fmt::format("{:.4g} rpm, {:.4g} °C", speed[i], temperature[i]);
         if (curves.empty() || curves.back().name != name)
             curves.push_back({name, {}, {}});
         curves.back().x.push_back(torque[i]);
         curves.back().y.push_back(value[i]);
-        if (!error.empty() && attribute_of(losses, "estimated") != 0)
+        if (i < error.size() && attribute_of(losses, "estimated") != 0)
             curves.back().error.push_back(error[i]);
     }
     return curves.empty() ? "" : chart("Efficiency", "torque on the output [N m]", "efficiency [%]", curves);

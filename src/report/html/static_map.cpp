@@ -55,9 +55,9 @@ std::string static_gap_maps(Json const& contact)
     Json const map = group_at(contact, {"contact", "map"});
     std::vector<double> const angle = column_of(map, "angle", deg), z = column_of(map, "z"),
                               gap = column_of(map, "gap");
-    if (angle.empty() || z.empty() || gap.empty())
+    std::size_t const flanks = angle.size() * 2 * z.size(), points = flanks > 0 ? gap.size() / flanks : 0;
+    if (points == 0)
         return "";
-    std::size_t const points = gap.size() / (angle.size() * 2 * z.size());
     std::vector<double> const xs = borders(angle), ys = borders(z);
     Axis const x = horizontal_axis(xs.front(), xs.back()), y = vertical_axis(ys.front(), ys.back());
     std::string html;
