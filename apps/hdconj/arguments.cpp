@@ -68,6 +68,8 @@ CLI::Validator whole_number(int least, int most)
     auto const check = [=](std::string const& given) {
         auto const value = number_of(given);
         bool const fits = value && *value >= least && *value <= most && std::floor(*value) == *value;
+        if (fits && given.find_first_of(".eE") != std::string::npos)
+            return fmt::format("'{}' is not written as a whole number (write {:.0f})", given, *value);
         return fits ? "" : fmt::format("'{}' is no whole number from {}", given, range);
     };
     return {check, range};

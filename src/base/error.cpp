@@ -17,7 +17,7 @@ constexpr std::size_t most_described = 100;
 
 std::string place_of(Fault const& fault)
 {
-    std::string place = fault.origin;
+    std::string place = fault.origin == fault.path ? "" : fault.origin;  // a file that is the fault is named once
     if (fault.line > 0)
         place += (place.empty() ? "line " : " line ") + std::to_string(fault.line);
     return place.empty() ? place : place + ": ";

@@ -43,8 +43,10 @@ class WishFaults
         within("--length-ratio", wishes_.length_ratio, length_ratios, "a cup's length is 0.2 to 1 pitch diameters");
         within("--land", wishes_.land, {0, 0.8}, "a tip land is at most half a pitch less the flanks, in modules");
         within("--safety", wishes_.safety, {1, 10}, "below 1 the cup breaks, above 10 no wall is thin enough");
-        if (wishes_.torque)
-            positive("--torque", *wishes_.torque / newton_metre, "write a torque in N m such as 28");
+        if (wishes_.torque && positive("--torque", *wishes_.torque / newton_metre, "write a torque in N m such as 28"))
+            within("--torque", *wishes_.torque / newton_metre,
+                   {scene::bounds::least_torque, scene::bounds::largest_torque},
+                   "no drive has a rated torque like that, in N m");
         if (!(wishes_.clearance >= 0) || !std::isfinite(wishes_.clearance))
             fault("--clearance", short_number(wishes_.clearance), "no side clearance", "write 0 or a length in mm");
         words();

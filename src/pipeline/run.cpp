@@ -274,6 +274,8 @@ RunStudy study_run(Scene const& scene, RunOptions const& options, StageObserver 
     study.torque = task.torque;
     study.spline_torque = task.motion.spline_torque(task.torque);
     study.solution = data->middle;
+    if (!elastic && checked.errors && checked.errors->wave_generator)
+        study.solution.notes.emplace_back("errors.wave_generator has no effect without a torque; write load.torque");
     PositionProgress told(progress, positions_of(checked, task, options.errors));
     SequenceObserver const observer{options.stop, [&] { told.step(); },
                                     [&](std::string const& cause) { study.missing.push_back(cause); }};

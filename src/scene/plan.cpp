@@ -92,9 +92,9 @@ std::vector<AbsentEffect> absent_effects(Scene const& scene, Verb verb)
             "bearing.ball_diameter, with bearing.balls");
         add(!scene.bearing || scene.bearing->clearance <= 0, "bearing clearance", "bearing.clearance above 0");
     }
-    // what the verb load alone reads
+    // what the verbs load and run alone read
     auto const add_for_load = [&](bool is_there, char const* name, char const* table) {
-        add((verb == Verb::load) != is_there, name, is_there ? "the verb load" : table);
+        add((verb == Verb::load) != is_there, name, is_there ? "the verbs load and run" : table);
     };
     add_for_load(scene.tip_relief.has_value(), "tip relief", "a table [tip_relief]");
     add_for_load(scene.end_relief.has_value(), "end relief", "a table [end_relief]");

@@ -140,6 +140,7 @@ std::vector<BadCommand> const& contact_commands()
         {"--set slices.surface=tilted --set tilt.angle_deg=0.2 --set tilt.kind=draft --surface ruled",
          "--surface = ruled", "an outline for each slice", "--kind radial"},
         {"--revolution 0", "--revolution", "'0' is no whole number from 1 to 10000", "--help"},
+        {"--revolution 1e3", "--revolution", "'1e3' is not written as a whole number (write 1000)", "--help"},
         {"--revolution some", "--revolution", "some", "--help"},
         {"--best", "--best", "surface \"per-slice\" is asked for", "--surface tilted"},
         {"--best --surface tilted --tilt 0.3", "--best", "interval of tilts to search is empty", "FROM below TO"},

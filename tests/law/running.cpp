@@ -398,4 +398,21 @@ TEST_CASE("what cannot run is told at once, with what to write", "[running]")
     CHECK(check_run(builtin_scene({"friction.flanks=0.1"}), options).empty());
 }
 
+TEST_CASE("an error of the wave generator that moves nothing without a torque is told", "[law][running]")
+{
+    auto const notes_of = [](Keys const& more) {
+        Keys keys{"slices.count=1", "contact.flank_points=80", "circular_spline.backlash_offset=0.03",
+                  "errors.wave_generator.eccentricity=0.01"};
+        keys.insert(keys.end(), more.begin(), more.end());
+        RunOptions options;
+        options.torque = 0;
+        options.positions = 4;
+        return study_run(builtin_scene(keys), options).solution.notes;
+    };
+    auto const tells = [](std::string const& note) { return note.starts_with("errors.wave_generator has no effect"); };
+    CHECK(std::ranges::count_if(notes_of({}), tells) == 1);
+    CHECK(std::ranges::count_if(notes_of({"!errors.wave_generator", "errors.flexspline.eccentricity=0.01"}), tells) ==
+          0);
+}
+
 }  // namespace hdconj::test::running_cases

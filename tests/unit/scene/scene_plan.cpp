@@ -83,6 +83,8 @@ TEST_CASE("reliefs and errors are effects of a load alone", "[scene]")
         CHECK(is_absent(make_plan(plain, Verb::load), name));
         CHECK(is_absent(make_plan(made, Verb::contact), name));
         CHECK_FALSE(is_absent(make_plan(plain, Verb::contact), name));
+        Plan const contact = make_plan(made, Verb::contact);
+        CHECK(std::ranges::find(contact.absent, name, &AbsentEffect::name)->remedy == "the verbs load and run");
     }
     CHECK(describe(load).find("flow.pressure = 2700 MPa") != std::string::npos);
     CHECK(describe(load).find("flexspline: pitch_deviation = 0.002 mm") != std::string::npos);
