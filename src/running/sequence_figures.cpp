@@ -36,24 +36,39 @@ Spread spread_of(std::vector<double> const& values)
     return result;
 }
 
-/// How far the extremes of a smooth curve, but for kinks, may lie beyond @p values, its values at even places: for a
-/// peak with straight sides half of the fall to the lower neighbour of the highest value, and the like at the lowest; a
-/// round peak has a quarter of that. 0 for places of whole pitches, where teeth have errors of their own.
-double beyond_extremes(std::vector<double> const& values, SpanPlan const& plan)
+/// How far a curve may rise above the highest of @p values, which are taken at even places of it: half of the fall to
+/// the lower neighbour, as for a peak with equally steep sides, or where the lines through two values on either side of
+/// a gap beside the highest one meet.
+double above_highest(std::vector<double> const& values, bool repeats)
 {
-    if (plan.span != RunSpan::tooth_pitch)
-        return 0;
-    auto const [low, high] = std::ranges::minmax_element(values);
-    auto const beside = [&](auto const& at) {
-        auto const before = at != values.begin() ? at - 1
-                            : plan.repeats       ? values.end() - 1
-                                                 : at,
-                   behind = at + 1 != values.end() ? at + 1
-                            : plan.repeats         ? values.begin()
-                                                   : at;
-        return std::minmax(*before, *behind);
+    auto const count = static_cast<std::ptrdiff_t>(values.size()),
+               top = std::ranges::max_element(values) - values.begin();
+    auto const at = [&](std::ptrdiff_t i) {
+        return values[static_cast<std::size_t>(repeats ? (i + count) % count
+                                                       : std::clamp<std::ptrdiff_t>(i, 0, count - 1))];
     };
-    return 0.5 * (*high - beside(high).first + beside(low).second - *low);
+    double const highest = at(top);
+    double most = 0.5 * (highest - std::min(at(top - 1), at(top + 1)));
+    for (std::ptrdiff_t const first : {top - 1, top}) {
+        double const rise = at(first) - at(first - 1), fall = at(first + 1) - at(first + 2);
+        if (rise > 0 && fall > 0) {
+            double const share = std::clamp((at(first + 1) - at(first) + fall) / (rise + fall), 0.0, 1.0);
+            most = std::max(most, at(first) + share * rise - highest);
+        }
+    }
+    return most;
+}
+
+/// How far both extremes may lie beyond @p values; 0 where there are no places between: teeth have errors of their own
+/// at whole pitches.
+double beyond_extremes(std::vector<double> values, SpanPlan const& plan)
+{
+    if (plan.span != RunSpan::tooth_pitch && static_cast<double>(values.size()) >= plan.period)
+        return 0;
+    double const above = above_highest(values, plan.repeats);
+    for (double& value : values)
+        value = -value;
+    return above + above_highest(values, plan.repeats);
 }
 
 /// Every value, or every @p step-th from @p first on.
