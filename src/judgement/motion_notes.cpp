@@ -124,9 +124,10 @@ std::optional<Note> undercut(Solution const& solution)
     scene::Advice const usual = scene::usual_pair(scene, std::nullopt);
     double const ratio = scene::deformation_ratio(scene.drive, solution.geometry.w0);
     bool const off = ratio > 1 + near, below = ratio < 1 - near;
-    std::string const other = scene.flexspline.profile.family == "double-circular-arc"
-                                  ? "a flank with a larger radius there"
-                                  : "a tooth of another family";
+    std::string const other =
+        scene.flexspline.profile.family == "double-circular-arc" || scene.flexspline.profile.family == "arc-chain"
+            ? "a flank with a larger radius there"
+            : "a tooth of another family";
     // far below it the usual deformation may cost contact: a part of the way is enough
     note->advice = (off     ? "write " + usual.words + ", or "
                     : below ? "write a radial deformation between " + short_number(solution.geometry.w0) + " and " +

@@ -11,6 +11,7 @@
 #include "hdconj/error.hpp"
 #include "hdconj/scene/schema.hpp"
 #include "load/study/loaded_scene.hpp"
+#include "scene/usual_drive.hpp"
 
 namespace hdconj {
 namespace {
@@ -53,12 +54,14 @@ Faults check_run(Scene const& scene, RunOptions const& options)
         faults = load::check_either_sense(scene, load_options(scene, options));
     else
         faults = check_contact(scene, {});
+    std::string const usual = scene::usual_torque(scene.drive);
     if (torque == 0 && scene.friction && options.torque)
         faults.push_back({"friction", scene.friction->line, "", "--torque is 0, and without torque no power is lost",
                           "leave --torque out where [load] has a torque, write one above 0, or remove this table"});
     else if (torque == 0 && scene.friction)
-        faults.push_back({"friction", scene.friction->line, "", "nothing says under which torque the drive loses power",
-                          "write torque = 28.0, in N m, in [load], or --torque 28, or remove this table"});
+        faults.push_back(
+            {"friction", scene.friction->line, "", "nothing says under which torque the drive loses power",
+             "write torque = " + usual + ", in N m, in [load], or --torque " + usual + ", or remove this table"});
     require_whole(faults, "--positions", options.positions, scene::bounds::fewest_positions,
                   scene::bounds::most_positions, "one such as 16");
     return faults;

@@ -2,6 +2,7 @@
 #include "usual_drive.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/text.hpp"
 #include "tolerance_limits.hpp"
@@ -18,6 +19,13 @@ double deformation_ratio(Drive const& drive, double w0)
     return w0 / usual_deformation(drive);
 }
 
+std::string usual_torque(Drive const& drive)
+{
+    constexpr double of_type_50 = 28, radius = 25;
+    constexpr int digits = 2;
+    return short_number(of_type_50 * std::pow(flexspline_pitch_radius(drive) / radius, 3), digits);
+}
+
 void Advice::add(std::string const& key, std::string const& value)
 {
     words += (words.empty() ? "" : " and ") + key + " = " + value;
@@ -27,14 +35,16 @@ void Advice::add(std::string const& key, std::string const& value)
 namespace {
 
 /// Adds the tip circle that goes with the radial deformation @p w0; one that was given for another is left out. One
-/// that is wider, for the lands' sake, stays where it leaves half of the working depth.
+/// that is wider than what goes with either, for the lands' sake, stays where it leaves half of the working depth.
 void add_tip_circle(Scene const& scene, double w0, Advice& advice)
 {
     bool const given = scene.circular_spline.inner_radius.has_value();
     auto const usual = usual_tip_radius(scene, w0);
     double const middle = flexspline_pitch_radius(scene.drive) + w0,
                  addendum = scene.flexspline.profile.number_or("addendum", 0), standard = middle - addendum;
-    if (usual && given && *scene.circular_spline.inner_radius >= *usual &&
+    auto const now = scene.wave_generator.shape.number("radial_deformation");
+    double const with_now = (now ? usual_tip_radius(scene, *now) : std::nullopt).value_or(0);
+    if (usual && given && *scene.circular_spline.inner_radius > std::max(*usual, with_now) &&
         *scene.circular_spline.inner_radius <= (*usual + middle + addendum) / 2)
         return;
     if (usual && (given || short_number(*usual) != short_number(standard))) {

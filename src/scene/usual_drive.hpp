@@ -45,6 +45,9 @@ struct Advice
 /// The same of a tooth with these heights.
 [[nodiscard]] double usual_tip_radius(Drive const& drive, double addendum, double dedendum, double w0);
 
+/// Torque that drives of this size carry, in N m and words: 28 at a pitch diameter of 50 mm, with its cube.
+[[nodiscard]] std::string usual_torque(Drive const& drive);
+
 /// "a larger circular_spline.profile.dedendum", or of a family without that key what its tooth has to be.
 [[nodiscard]] std::string with_height(FamilyChoice const& tooth, std::string const& change, std::string const& key);
 

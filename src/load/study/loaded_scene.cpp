@@ -16,6 +16,7 @@
 #include "hdconj/scene/schema.hpp"
 #include "hdconj/units.hpp"
 #include "load/model/wave_generator.hpp"
+#include "scene/usual_drive.hpp"
 
 namespace hdconj {
 namespace {
@@ -40,10 +41,11 @@ void refuse_torque(double torque_nm, std::string reason, Faults& faults)
 
 void require_torque(Scene const& scene, LoadOptions const& options, Faults& faults)
 {
+    std::string const usual = scene::usual_torque(scene.drive);
     if (!options.torque && !(scene.load && scene.load->torque))
         faults.push_back({"load.torque", scene.load ? scene.load->line : 0, "",
                           "this key is missing: nothing says which torque is meant",
-                          "write torque = 28.0, in N m, in [load], or --torque 28"});
+                          "write torque = " + usual + ", in N m, in [load], or --torque " + usual});
     if (!options.torque)
         return;
     double const given = *options.torque / newton_metre;
