@@ -84,3 +84,6 @@ def test_a_run_without_one_of_its_columns_is_shown_without_that_curve(tmp_path, 
         del stored["running/sequence_000"][missing]
     run_program("report", file, "-o", page)
     assert drives_of(page)[0]["results"].keys() == {"solve", "run"}
+    drawn = page.read_text()
+    assert ("Transmission error, unloaded" in drawn) == (missing == "error_error")
+    assert 'class="band' not in drawn

@@ -33,7 +33,7 @@ export function designView(design) {
       make("span", {}, `${row.rule}${row.source === "wish" ? "" : "; " + row.source}`,
         row.remark ? make("small", {}, row.remark) : null)] };
     }));
-  const unlike = rows.filter((row) => row.standing !== "as proposed" && row.standing !== "not in a scene");
+  const unlike = rows.filter((row) => !row.standing.startsWith("as proposed") && row.standing !== "not in a scene");
   const command = ["hdconj design", ...design.derived.filter((wish) => wish.value)
     .map((wish) => `${wish.option} ${wish.value}`)].join(" ");
   const kept = new Set(rows.map((row) => row.key));

@@ -54,8 +54,10 @@ function caseFigures(load, index) {
       curveOf(say("pressure"), say("torque"), say("pressureUnit"), "torque", newtonMetre, "flank_pressure", 1));
   all.push(...mapFigures(load, index, groupAt(group, "map")));
   const bearing = groupAt(group, "bearing"), balls = column(bearing, "ball_force");
+  const ballUnit = bearing && bearing.datasets && bearing.datasets.ball_force ? bearing.datasets.ball_force.units : "";
   if (balls.length)
-    all.push(bars(say("balls"), say("sectionAngle") + " [°]", say("force"), by(column(bearing, "ball_angle"),
+    all.push(bars(say("balls"), say("sectionAngle") + " [°]",
+      `${say("ballForce")} [${ballUnit}]`, by(column(bearing, "ball_angle"),
       degree), balls, column(bearing, "ball_force_error")));
   const members = groupAt(group, "members");
   const names = members && members.datasets && members.datasets.name && members.datasets.name.texts;

@@ -36,7 +36,7 @@ const english = {
   space: "Tooth space", coning: "Radial displacement of the wall", tilt: "Tilt", radial: "radial displacement [um]",
   torqueTwist: "Twist against torque", twist: "twist [arcmin]", torque: "torque [N m]",
   stiffness: "Stiffness against torque", stiffnessUnit: "stiffness [N m/arcmin]",
-  pressure: "Largest pressure away from edges and ends", pressureUnit: "pressure [MPa]", force: "force [N]",
+  pressure: "Largest pressure away from edges and ends", pressureUnit: "pressure [MPa]", force: "force [N]", ballForce: "force",
   toothForces: "Force of each tooth, all teeth unrolled",
     pressureMap: "Pressure over tooth spaces and face width [MPa]",
   stress: "Stress of the cup's section [MPa]", sectionAngle: "Angle from the major axis", members: "Twist by member",

@@ -89,6 +89,8 @@ std::string chart(std::string_view title, std::string_view x_label, std::string_
 {
     constexpr int styles = 4;
     std::vector<Curve> const curves = complete(stored);
+    if (curves.empty())
+        return "";
     Axis const x = across(curves), y = upward(curves);
     std::string lines, names;
     for (std::size_t n = 0; n < curves.size(); ++n) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <numbers>
 
 #include "hdconj/units.hpp"
 #include "plot_window.hpp"
@@ -44,11 +45,8 @@ ToothView tooth_view(WireProgram const& program)
                           ? std::min(third, last)
                           : (program.set_up.first + std::min(third, program.set_up.spaces - 1)) % program.teeth;
     view.tooth = highest != all.end() && highest->tooth >= 0 ? highest->tooth : plain;
-    Vec2 sum = Vec2::Zero();
-    for (auto const& move : program.passes.back().moves)
-        sum += view.tooth >= 0 && view.shows(move) ? move.lower : Vec2(0, 0);
-    if (sum.norm() > 0)
-        view.turn = Eigen::Rotation2Dd(std::atan2(sum.x(), sum.y()));
+    if (view.tooth >= 0)
+        view.turn = Eigen::Rotation2Dd(2 * std::numbers::pi * view.tooth / program.teeth);
     return view;
 }
 

@@ -11,7 +11,9 @@ subject = "stiffness of the teeth on the elastic cup against torque; band: estim
     . "thick: K1, K2 and K3 of a catalogue"
 case(i, k) = word($cases[i], k) + 0
 case_words(i) = word($cases[i], 5) . (case(i, 4) \
-    ? sprintf(":  K1 %.1f,  K2 %.1f,  K3 %.1f ·10³ N m/rad", case(i, 1) / 1e3, case(i, 2) / 1e3, case(i, 3) / 1e3) : "")
+    ? (case(i, 1) < 1e3 ? sprintf(":  K1 %.3g,  K2 %.3g,  K3 %.3g N m/rad", case(i, 1), case(i, 2), case(i, 3)) \
+        : sprintf(":  K1 %.1f,  K2 %.1f,  K3 %.1f ·10³ N m/rad", case(i, 1) / 1e3, case(i, 2) / 1e3, case(i, 3) / 1e3)) \
+    : "")
 panel_bottom = 552
 legend_y(i) = panel_bottom + 70 + 25 * i
 cases = |$cases|
