@@ -106,7 +106,9 @@ void add_wishes(CLI::App& verb, DesignArguments& own)
     number("--land", wishes.land, "least tip land in modules [0.4]", "M", "0.4");
     number("--clearance", wishes.clearance,
            "least side clearance of each flank in mm; with --torque more where the cone needs it [0]", "MM", "0.02");
-    number("--safety", wishes.safety, "least fatigue strength over largest stress of the cup [1.2]", "S", "1.2");
+    number("--safety", wishes.safety,
+           "least fatigue strength over largest stress of the cup; without --torque of its bent ring alone [1.2]", "S",
+           "1.2");
 }
 
 }  // namespace

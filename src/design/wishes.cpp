@@ -26,9 +26,8 @@ constexpr std::array standard_modules{0.05, 0.055, 0.06, 0.07, 0.08, 0.09,  0.1,
 
 double nearest_module(double wanted)
 {
-    return *std::min_element(standard_modules.begin(), standard_modules.end(), [&](double a, double b) {
-        return std::abs(std::log(a / wanted)) < std::abs(std::log(b / wanted));
-    });
+    return *std::min_element(standard_modules.begin(), standard_modules.end(),
+                             [&](double a, double b) { return std::abs(a - wanted) < std::abs(b - wanted); });
 }
 
 class WishFaults
@@ -46,7 +45,7 @@ class WishFaults
         if (wishes_.torque && positive("--torque", *wishes_.torque / newton_metre, "write a torque in N m such as 28"))
             within("--torque", *wishes_.torque / newton_metre,
                    {scene::bounds::least_torque, scene::bounds::largest_torque},
-                   "no drive has a rated torque like that, in N m");
+                   "outside the range of load.torque, in N m");
         if (!(wishes_.clearance >= 0) || !std::isfinite(wishes_.clearance))
             fault("--clearance", short_number(wishes_.clearance), "no side clearance", "write 0 or a length in mm");
         words();

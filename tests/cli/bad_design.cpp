@@ -46,7 +46,7 @@ std::vector<BadCommand> const& design_commands()
         {fifty + "--length-ratio=-1", "--length-ratio = -1", "0.2 to 1 pitch diameters", "works is 0.2"},
         {fifty + "--length-ratio 1/4", "--length-ratio", "'1/4' is no finite number", "such as 0.25"},
         {fifty + "--torque 0", "--torque = 0", "not a number above 0", "in N m such as 28"},
-        {fifty + "--torque 1e-12", "--torque = 1e-12", "no drive has a rated torque like that", "works is 1e-09"},
+        {fifty + "--torque 1e-12", "--torque = 1e-12", "outside the range of load.torque", "works is 1e-09"},
         {fifty + "--torque=-28", "--torque = -28", "not a number above 0", "in N m such as 28"},
         {fifty + "--torque 28Nm", "--torque", "'28Nm' is no finite number", "such as 28"},
         {fifty + "--family involut", "--family = involut", "not known", "write involute"},
