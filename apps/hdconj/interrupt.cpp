@@ -16,7 +16,7 @@ static_assert(std::atomic<bool>::is_always_lock_free);  // may be set by a signa
 void note_interrupt(int)
 {
     constexpr std::string_view words =
-        "\nhdconj: stopping after what is being computed; once more ends without a result\n";
+        "\nhdconj: stopping after what is being computed; Ctrl-C again ends at once, without a result\n";
     stopped = true;
     std::signal(SIGINT, SIG_DFL);
     [[maybe_unused]] auto const written = ::write(STDERR_FILENO, words.data(), words.size());

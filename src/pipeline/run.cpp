@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -26,7 +27,6 @@ namespace hdconj {
 namespace {
 
 using running::SequenceObserver;
-using running::SpanPlan;
 
 /// Which rings of teeth have errors that differ from tooth to tooth.
 struct RingsWithErrors
@@ -44,7 +44,7 @@ struct RingsWithErrors
 /// A sequence to compute: first contacts, or balances.
 struct PlannedSequence
 {
-    SpanPlan plan;
+    running::SpanPlan plan;
     bool under_torque = false;
 };
 
@@ -174,7 +174,7 @@ struct GridPair
 void run_elastic_sequence(PlannedSequence const& planned, GridPair const& drives, running::RunTask const& task,
                           SequenceObserver const& observer, LeastPlay& least, RunStudy& study)
 {
-    SpanPlan const& plan = planned.plan;
+    running::SpanPlan const& plan = planned.plan;
     SequenceObserver const silent{observer.stop, observer.on_position, {}};
     LeastPlay unused;
     auto const sequence_of = [&](running::TurningDrive const& drive, SequenceObserver const& told, LeastPlay& found) {
@@ -275,7 +275,8 @@ RunStudy study_run(Scene const& scene, RunOptions const& options, StageObserver 
     study.spline_torque = task.motion.spline_torque(task.torque);
     study.solution = data->middle;
     if (!elastic && checked.errors && checked.errors->wave_generator)
-        study.solution.notes.emplace_back("errors.wave_generator has no effect without a torque; write load.torque");
+        study.solution.notes.emplace_back(
+            "errors.wave_generator has no effect without a torque: set load.torque, or --torque above 0");
     PositionProgress told(progress, positions_of(checked, task, options.errors));
     SequenceObserver const observer{options.stop, [&] { told.step(); },
                                     [&](std::string const& cause) { study.missing.push_back(cause); }};
@@ -291,8 +292,7 @@ RunStudy study_run(Scene const& scene, RunOptions const& options, StageObserver 
                              "write a smaller torque, or another circular_spline.backlash_offset");
     study.solution.plan = plan_run(scene, options);
     study.solution.scene = scene;
-    std::vector<StageTime> const times = data->clock.times();
-    study.solution.timing.insert(study.solution.timing.end(), times.begin(), times.end());
+    std::ranges::copy(data->clock.times(), std::back_inserter(study.solution.timing));
     return study;
 }
 

@@ -476,7 +476,7 @@ TEST_CASE("errors contain what grids agree on by chance", "[load][errors]")
     LoadedState const &a = only(coarse), &b = only(fine), &error = coarse.cases.front().error;
     CHECK(std::abs(b.wave_generator_torque - a.wave_generator_torque) < error.wave_generator_torque);
     CHECK(std::abs(b.lobe_force_across - a.lobe_force_across) < error.lobe_force_across);
-    // neither of two lines, nor their knee, is known better than the worse line
+    // the knee is not known better than the worse line, the second line not better than a third of it
     LoadOptions curve;
     curve.torque = 28 * newton_metre;
     StiffnessStages const stages =

@@ -180,7 +180,7 @@ TEST_CASE("trimmed parallel: a flank moved into the material has its crossing in
     }
     CHECK(overlap_at_ends(some, 0.012) == Approx(0.012 * (1 - std::cos(0.146))).epsilon(1e-9));
     CHECK(overlap_at_ends(some, 0) == 0);
-    // it counts as far as the slices beside it clear by less than that more than the least does
+    // it is less by what the slices beside it clear more than the closest one
     CHECK(overlap_at_ends(some, 0.012, {0, 4e-5, 1}) == Approx(0.012 * (1 - std::cos(0.146)) - 4e-5).epsilon(1e-9));
     CHECK(overlap_at_ends(some, 0.012, {0, 1, 1}) == 0);
     // nowhere nearer to the bare flank than it was moved, between the points too
