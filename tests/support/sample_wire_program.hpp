@@ -69,6 +69,7 @@ inline WireProgram wire_ring(double tilt = wire_tilt, int points = 48,
                              std::vector<double> const& stock = {0.02, 0.005, 0})
 {
     WireProgram program;
+    program.teeth = wire_teeth;
     program.name = "ring";
     program.machine = wire_machine();
     program.wire_diameter = 0.1;
