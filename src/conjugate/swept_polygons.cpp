@@ -143,16 +143,11 @@ double SweptPolygons::radius_between_spaces() const
     return radius_at({-0.5 * pitch_, 0.5 * pitch_});
 }
 
-double SweptPolygons::radius_beside_land() const
+std::optional<double> SweptPolygons::radius_of_land(double tip) const
 {
     constexpr double half_land = 0.07;  // of the pitch
     double const angle = (0.5 - half_land) * pitch_;
-    return radius_at({-angle, angle});
-}
-
-std::optional<double> SweptPolygons::radius_of_land(double tip) const
-{
-    double const radius = radius_beside_land(), deepest = radius_at({0.0});
+    double const radius = radius_at({-angle, angle}), deepest = radius_at({0.0});
     return radius > tip && radius - tip <= (deepest - tip) / 2 ? std::optional(radius) : std::nullopt;
 }
 

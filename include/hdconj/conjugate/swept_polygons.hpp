@@ -67,9 +67,6 @@ class SweptPolygons
     /// The same half-way between two tooth spaces, on either side.
     [[nodiscard]] double radius_between_spaces() const;
 
-    /// Largest radius [mm] that the polygons reach where a narrow land ends.
-    [[nodiscard]] double radius_beside_land() const;
-
     /// Radius at which two spaces leave a land of 0.14 pitches, more than 0.4 modules, between them; nothing where this
     /// is within the tip circle @p tip or leaves less than half of the depth outside it.
     [[nodiscard]] std::optional<double> radius_of_land(double tip) const;

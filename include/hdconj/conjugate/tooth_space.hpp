@@ -80,13 +80,9 @@ class ToothSpaceFinder
         }
         std::vector<region::BoundaryRun> const runs = middle_pitch(boundary.runs, floor);
         if (runs.empty())
-            return swept_.radius_beside_land() > tip_radius_
-                       ? fail(ErrorCode::no_land, "tip circle", "it does not come down to a land on both sides",
-                              "write a larger circular_spline.inner_radius, or a smaller "
-                              "wave_generator.radial_deformation",
-                              wider_tip())
-                       : fail(ErrorCode::no_outline, "tip circle", "the space is too shallow there",
-                              "write a smaller circular_spline.inner_radius");
+            return fail(ErrorCode::no_land, "tip circle", "it does not come down to a land on both sides",
+                        "write a larger circular_spline.inner_radius, or a smaller wave_generator.radial_deformation",
+                        wider_tip());
         return refine(runs, floor, chord);
     }
 

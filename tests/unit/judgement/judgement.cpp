@@ -490,13 +490,6 @@ TEST_CASE("a land that is lost is won by what was computed, and by no larger def
     CHECK_NOTHROW(solve(builtin_scene(keys)));
 }
 
-TEST_CASE("of a tooth space without depth a smaller tip circle is advised", "[judgement]")
-{
-    for (std::string const radius : {"25.473", "25.4745"})
-        CHECK_THAT(failure(builtin_scene({"circular_spline.inner_radius=" + radius})).remedy(),
-                   ContainsSubstring("a smaller circular_spline.inner_radius"));
-}
-
 TEST_CASE("notes stand in text, JSON and HDF5", "[judgement]")
 {
     TemporaryFolder const folder;
