@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/segments.hpp"
+#include "numeric/least_between.hpp"
 
 namespace hdconj::contact {
 namespace {
@@ -194,8 +195,9 @@ double trim_overlaps(std::vector<Vec2> const& bare, std::vector<Vec2>& moved, st
 
 double overlap_at_ends(FlankGrid const& bare, double distance, std::vector<double> const& clearance)
 {
-    double left = 0;
+    std::vector<numeric::BetweenPlaces> const between = numeric::between_places(clearance);
     double const least = clearance.empty() ? 0 : std::ranges::min(clearance);
+    double left = 0;
     for (std::size_t f = 0; f < 2 && distance != 0; ++f) {
         std::vector<double> turns;
         for (std::size_t k = 0; k < bare.slices(); ++k) {
@@ -205,12 +207,10 @@ double overlap_at_ends(FlankGrid const& bare, double distance, std::vector<doubl
                 moved[i] += distance * normal[i];
             turns.push_back(trim_overlaps(line, moved, normal));
         }
-        for (std::size_t k = 1; k < turns.size(); ++k) {
-            if ((turns[k] == 0) == (turns[k - 1] == 0))
-                continue;
-            double const clears = clearance.empty() ? least : std::min(clearance[k - 1], clearance[k]);
-            left = std::max(left, std::abs(distance) * (1 - std::cos(turns[k] + turns[k - 1])) - (clears - least));
-        }
+        double const most = std::abs(distance) * (1 - std::cos(std::ranges::max(turns)));
+        for (std::size_t k = 1; k < turns.size(); ++k)
+            if ((turns[k] == 0) != (turns[k - 1] == 0))
+                left = std::max(left, most - std::max(0.0, between.empty() ? 0 : between[k - 1].least - least));
     }
     return left;
 }

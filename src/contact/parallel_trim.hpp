@@ -29,10 +29,10 @@ double trim_overlaps(std::vector<Vec2> const& bare, std::vector<Vec2>& moved, st
 /// How much nearer to the teeth than the parallel a moved flank may be because an overlap ends beyond its end [mm].
 ///
 /// A corner that has left through an end of the flank between two slices still has its overlap on the flank while it is
-/// nearer to the end than d tan(theta/2). What it then takes is d (1 - cos theta) at most, theta that of the sharper
-/// corner beside that place. 0 where all slices have overlaps, or none has.
-/// @param clearance  of each slice [mm]: the missing length is less by what the two slices beside it clear more than
-///                   the closest slice; empty: it counts in full
+/// nearer to the end than d tan(theta/2). What it then takes is d (1 - cos theta) at most, theta that of the sharpest
+/// corner of any slice. 0 where all slices have overlaps, or none has.
+/// @param clearance  of each slice [mm]: the missing length is less by what the two slices beside it, and all between
+///                   them, clear more than the closest slice; empty: it counts in full
 [[nodiscard]] double overlap_at_ends(FlankGrid const& bare, double distance, std::vector<double> const& clearance = {});
 
 }  // namespace hdconj::contact

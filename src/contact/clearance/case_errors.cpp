@@ -30,34 +30,32 @@ struct ErrorPlanes
     TurnsOfSet const* root = nullptr;   ///< around the bottom
 };
 
+/// What the points of @p set have over a full turn, moved by @p distance. @p known: that, or null
+TurnsOfSet turns_of(SliceClearances const& clearances, ClearanceSet const& set, double distance,
+                    TurnsOfSet const* known = nullptr)
+{
+    if (known != nullptr)
+        return *known;
+    TurnsOfSet found;
+    found.minima = clearances(set, distance);
+    found.deepest = clearances.lowest(set, distance, found.minima);
+    return found;
+}
+
 /// The least of each plane. @p along: between the points too, which are even but for the last, the middle of the
 /// bottom.
-/// @p known: what the points of the set have there, or null
-std::vector<double> lowest_of(SliceClearances const& clearances, ClearanceSet const& set, double distance, bool along,
-                              TurnsOfSet const* known = nullptr)
+std::vector<double> lowest_of(TurnsOfSet const& turns, bool along)
 {
-    TurnsOfSet found;
-    if (known == nullptr) {
-        found.minima = clearances(set, distance);
-        found.deepest = clearances.lowest(set, distance, found.minima);
-        known = &found;
-    }
     std::vector<double> low;
-    for (Deepest const& deepest : known->deepest)
+    for (Deepest const& deepest : turns.deepest)
         low.push_back(deepest.turn.distance);
     for (std::size_t k = 0; along && k < low.size(); ++k) {
         std::vector<double> points;
-        for (std::size_t i = 0; i + 1 < known->minima[k].size(); ++i)
-            points.push_back(known->minima[k][i].distance);
+        for (std::size_t i = 0; i + 1 < turns.minima[k].size(); ++i)
+            points.push_back(turns.minima[k][i].distance);
         low[k] = std::min(low[k], numeric::least_between(points));
     }
     return low;
-}
-
-double least_of(SliceClearances const& clearances, ClearanceSet const& set, double distance, bool along,
-                TurnsOfSet const* known = nullptr)
-{
-    return numeric::least_between(lowest_of(clearances, set, distance, along, known));
 }
 
 /// Smallest distances of the scene's slices, which @p result holds, and how far those of the planes, and of what lies
@@ -72,8 +70,8 @@ void write_clearance_errors(ErrorPlanes const& planes, double given, double unse
     bool const both = !(context.tooth.mirror_symmetric && planes.clearances.motion(0).symmetric());
     ClearanceSet const bottom = root_set(planes.outline, given, context.tolerance);
     std::vector<double> const flank =
-        lowest_of(planes.clearances, flank_set(planes.grid, both), given, false, planes.flank);
-    std::vector<double> const root = lowest_of(planes.clearances, bottom, 0, true, planes.root);
+        lowest_of(turns_of(planes.clearances, flank_set(planes.grid, both), given, planes.flank), false);
+    std::vector<double> const root = lowest_of(turns_of(planes.clearances, bottom, 0, planes.root), true);
     auto const over = [](double told, double low) { return std::max(0.0, told - low); };
     std::vector<SliceClearance>& slices = result.slices;
     double least_root = std::numeric_limits<double>::infinity();
@@ -94,20 +92,21 @@ void write_clearance_errors(ErrorPlanes const& planes, double given, double unse
 
 /// Error of the least distance @p found by which the set must be moved to clear: what still enters between the planes,
 /// by the slope with which moving clears it.
-/// @param along     between points of the set too
-/// @param at_found  full turns of the set at that distance, or null
+/// @param along  between points of the set too
+/// @param turns  of the set at that distance
 double least_clearance_error(ContactContext const& context, SliceClearances const& clearances, ClearanceSet const& set,
-                             double found, bool along, TurnsOfSet const* at_found)
+                             double found, bool along, TurnsOfSet const& turns)
 {
     double const enough = clearance_accuracy(context.tolerance) + set.known;
-    double const least = least_of(clearances, set, found, along, at_found);
+    double const least = numeric::least_between(lowest_of(turns, along));
     double const enters = std::max(0.0, -least);
     // nothing was moved and nothing touches: the least is none
     if (found == 0 && least > enough)
         return enough;
     // what clears to `enough` is known to as much over the slope, wherever the search has ended
     double const step = std::max({enters, enough, context.tolerance.length});
-    double const slope = (least_of(clearances, set, found + step, along) - least) / step;
+    double const beyond = numeric::least_between(lowest_of(turns_of(clearances, set, found + step), along));
+    double const slope = (beyond - least) / step;
     return (enters + enough) / std::clamp(slope, flattest_slope, 1.0);
 }
 
@@ -248,16 +247,18 @@ void write_errors_in(ErrorPlanes const& planes, CaseSurface const& in_slices, Su
     write_clearance_errors(planes, made.given, unseen_length(made.flanks.grid, made.given) + chords, anew, result);
     SliceClearances const& clearances = planes.clearances;
     // with the same tip circle and side clearance the cleared surface is the one that was made
-    TurnsOfSet const* const known = made.cleared.tip == made.tip && reach == made.given ? planes.flank : nullptr;
-    ClearanceSet const flank = flank_set(planes.cleared.grid, !has_mirrored_flanks(context));
-    result.least_side_clearance_error = least_clearance_error(context, clearances, flank, reach, false, known) +
-                                        unseen_length(made.cleared.flanks.grid, reach) + chords;
-    if (anew && overlap_at_ends(planes.cleared.grid, reach) > 0)
-        result.least_side_clearance_error +=
-            overlap_at_ends(planes.cleared.grid, reach, lowest_of(clearances, flank, reach, false, known));
-    result.least_root_clearance_error = least_clearance_error(
-        context, clearances, root_set(planes.outline, made.given, context.tolerance), result.least_root_clearance, true,
-        result.least_root_clearance == 0 ? planes.root : nullptr);
+    bool const same = made.cleared.tip == made.tip && reach == made.given;
+    ClearanceSet const flank = flank_set(planes.cleared.grid, !has_mirrored_flanks(context)),
+                       root = root_set(planes.outline, made.given, context.tolerance);
+    TurnsOfSet const turns = turns_of(clearances, flank, reach, same ? planes.flank : nullptr);
+    result.least_side_clearance_error =
+        least_clearance_error(context, clearances, flank, reach, false, turns) +
+        unseen_length(made.cleared.flanks.grid, reach) + chords +
+        (anew ? overlap_at_ends(planes.cleared.grid, reach, lowest_of(turns, false)) : 0);
+    result.least_root_clearance_error =
+        least_clearance_error(context, clearances, root, result.least_root_clearance, true,
+                              turns_of(clearances, root, result.least_root_clearance,
+                                       result.least_root_clearance == 0 ? planes.root : nullptr));
     result.least_tip_radius_error = least_tip_radius_error(in_slices, planes.surface, planes.cleared, made.cleared,
                                                            result.least_side_clearance_error, made.given);
     write_deviation(planes, made, true, result);

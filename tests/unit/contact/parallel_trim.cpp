@@ -180,9 +180,11 @@ TEST_CASE("trimmed parallel: a flank moved into the material has its crossing in
     }
     CHECK(overlap_at_ends(some, 0.012) == Approx(0.012 * (1 - std::cos(0.146))).epsilon(1e-9));
     CHECK(overlap_at_ends(some, 0) == 0);
-    // it is less by what the slices beside it clear more than the closest one
-    CHECK(overlap_at_ends(some, 0.012, {0, 4e-5, 1}) == Approx(0.012 * (1 - std::cos(0.146)) - 4e-5).epsilon(1e-9));
-    CHECK(overlap_at_ends(some, 0.012, {0, 1, 1}) == 0);
+    // it is less by what the slices beside it clear more than the closest one, but for what may lie between these two
+    double const whole = 0.012 * (1 - std::cos(0.146));
+    CHECK(overlap_at_ends(some, 0.012, {0, 4e-5, 8e-5}) == Approx(whole - 4e-5).epsilon(1e-9));
+    CHECK(overlap_at_ends(some, 0.012, {0, 1, 2}) == 0);
+    CHECK(overlap_at_ends(some, 0.012, {0, 4e-5, 4e-5}) == Approx(whole - 3e-5).epsilon(1e-9));
     // nowhere nearer to the bare flank than it was moved, between the points too
     for (double s = 0; s < static_cast<double>(curve.point.size() - 1); s += 0.25)
         CHECK(nearest_branch(moved.between(GapMap::right, 0, s), 0.146, {0, 0}) >= 0.012 - 1e-9);
