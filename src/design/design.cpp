@@ -25,6 +25,10 @@ std::vector<std::string> remarks_on(Design const& made)
         remarks.push_back("d_r = " + short_number(diameter) + " mm is the nearest to --diameter " +
                           short_number(*wishes.diameter) + " that a standard module makes; --module " +
                           short_number(*wishes.diameter / made.scene.drive.flexspline_teeth) + " makes it exact");
+    if (!wishes.torque)
+        remarks.emplace_back(
+            "without --torque the wall is chosen for the bending of its ring alone; the assembled cup may be stressed "
+            "more");
     for (auto const& row : made.rows)
         if (!row.remark.empty())
             remarks.push_back((row.symbol.empty() ? row.name : row.symbol) + ": " + row.remark);

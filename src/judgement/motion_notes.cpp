@@ -124,16 +124,15 @@ std::optional<Note> undercut(Solution const& solution)
     scene::Advice const usual = scene::usual_pair(scene, std::nullopt);
     double const ratio = scene::deformation_ratio(scene.drive, solution.geometry.w0);
     bool const off = ratio > 1 + near, below = ratio < 1 - near;
-    std::string const other =
-        scene.flexspline.profile.family == "double-circular-arc" || scene.flexspline.profile.family == "arc-chain"
-            ? "a flank with a larger radius there"
-            : "a tooth of another family";
+    bool const has_arcs =
+        scene.flexspline.profile.family == "double-circular-arc" || scene.flexspline.profile.family == "arc-chain";
     // far below it the usual deformation may cost contact: a part of the way is enough
-    note->advice = (off     ? "write " + usual.words + ", or "
-                    : below ? "write a radial deformation between " + short_number(solution.geometry.w0) + " and " +
-                                  short_number(scene::usual_deformation(scene.drive)) + " mm, or "
-                            : std::string("write ")) +
-                   other;
+    if (off)
+        note->advice = "write " + usual.words + ", or ";
+    else if (below)
+        note->advice = "write a radial deformation between " + short_number(solution.geometry.w0) + " and " +
+                       short_number(scene::usual_deformation(scene.drive)) + " mm, or ";
+    note->advice += has_arcs ? "write a flank with a larger radius there" : "take a tooth of another family";
     if (off)
         note->set = usual.set;
     return note;

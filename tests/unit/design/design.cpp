@@ -281,6 +281,19 @@ TEST_CASE("text and JSON of a design say the same", "[design]")
     CHECK(json["mesh"].size() == made.mesh.size());
 }
 
+TEST_CASE("a design without a torque says that the assembled cup was not looked at", "[design]")
+{
+    auto const says = [](DesignWishes const& wishes) {
+        return std::ranges::any_of(design_drive(wishes).remarks,
+                                   [](std::string const& each) { return each.starts_with("without --torque"); });
+    };
+    DesignWishes wishes = type_50();
+    wishes.torque.reset();
+    CHECK(says(wishes));
+    wishes.torque = 28 * newton_metre;
+    CHECK_FALSE(says(wishes));
+}
+
 TEST_CASE("a module that no standard has is taken where it is asked for", "[design]")
 {
     DesignWishes wishes = type_50();

@@ -17,6 +17,7 @@
 #include "hdconj/result_files.hpp"
 #include "hdconj/solve.hpp"
 #include "hdconj/units.hpp"
+#include "judgement/checks.hpp"
 #include "judgement/judgement.hpp"
 #include "scene/usual_drive.hpp"
 #include "support/catch.hpp"
@@ -488,6 +489,24 @@ TEST_CASE("a land that is lost is won by what was computed, and by no larger def
     REQUIRE(swept.set().size() == 1);
     keys[1] = swept.set().front();
     CHECK_NOTHROW(solve(builtin_scene(keys)));
+}
+
+TEST_CASE("undercut below the usual deformation asks for a part of the way to it", "[judgement]")
+{
+    auto const advice = [](double w0, std::string const& scene) {
+        Solution solution = solve(read_scene(HDCONJ_SOURCE_DIR "/data/scenes/" + scene));
+        solution.geometry.w0 = w0 * scene::usual_deformation(solution.scene.drive);
+        solution.flank_contact.used = 0.1;
+        solution.flank_contact.lost = 0.05;
+        auto const note = judgement::undercut(solution);
+        REQUIRE(note);
+        return note->advice;
+    };
+    CHECK(advice(0.84, "type-50.toml") ==
+          "write a radial deformation between 0.21 and 0.25 mm, or write a flank with a larger radius there");
+    CHECK(advice(1, "type-50.toml") == "write a flank with a larger radius there");
+    CHECK_THAT(advice(1.1, "type-50.toml"), ContainsSubstring("wave_generator.radial_deformation = 0.25"));
+    CHECK(advice(1, "involute.toml") == "take a tooth of another family");
 }
 
 TEST_CASE("notes stand in text, JSON and HDF5", "[judgement]")
