@@ -83,9 +83,12 @@ Design design_drive(DesignWishes const& wishes, std::function<void(std::string c
         throw InputError(std::move(faults));
     if (talk)
         talk("radial deformation and tip circle");
-    design::MeshedSheet const made = design::mesh_under_torque(wishes, talk);
+    design::WallSearch search(wishes, talk);
+    design::MeshedSheet made = search.under_torque(wishes.torque, true);
     if (!made.works())
-        throw InputError(design::nearest_wishes(wishes, made, talk));
+        throw InputError(design::nearest_wishes(wishes, made, search));
+    if (wishes.torque)
+        design::add_root_clearance(made);
     Design result;
     result.wishes = wishes;
     result.rows = made.rows();

@@ -100,7 +100,7 @@ std::optional<double> torque_with_wall(DesignWishes wishes, MeshedSheet const& f
         if (stands && (torque <= *stands || torque >= too_much))
             break;
         wishes.torque = torque;
-        found = stress_of(failed, wishes);
+        found = stress_of(failed, wishes, false);
         if (found.refusal.empty())
             stands = torque;
         else
@@ -122,8 +122,8 @@ double torque_of_walls(DesignWishes const& wishes, MeshedSheet const& failed)
     return most;
 }
 
-/// The largest torque of two digits that a few trials of all walls find, each told to @p talk.
-std::optional<double> nearest_torque(DesignWishes wishes, MeshedSheet const& failed, Talk const& talk)
+/// The largest torque of two digits that a few trials of all walls find, without errors.
+std::optional<double> nearest_torque(DesignWishes const& wishes, MeshedSheet const& failed, WallSearch& search)
 {
     constexpr int most_halvings = 3;
     constexpr double enough = 0.05;
@@ -133,8 +133,7 @@ std::optional<double> nearest_torque(DesignWishes wishes, MeshedSheet const& fai
     auto const try_torque = [&](double torque) {
         if (torque <= stands.value_or(0) || torque >= too_much)
             return false;
-        wishes.torque = torque;
-        bool const works = mesh_under_torque(wishes, talk).works();
+        bool const works = search.under_torque(torque, false).works();
         (works ? stands.emplace() : too_much) = torque;
         return works;
     };
@@ -159,7 +158,7 @@ std::optional<std::string> stronger_steel(DesignWishes const& wishes, double mos
     return best ? std::optional(best->name) : std::nullopt;
 }
 
-Faults nearest_load(DesignWishes const& wishes, MeshedSheet const& failed, Talk const& talk)
+Faults nearest_load(DesignWishes const& wishes, MeshedSheet const& failed, WallSearch& search)
 {
     WallTrial const& last = failed.walls.back();
     bool const is_bent_too_far = last.assembled > allowed_stress(wishes);  // without torque
@@ -169,7 +168,7 @@ Faults nearest_load(DesignWishes const& wishes, MeshedSheet const& failed, Talk 
     if (last.interferes)
         return {{"--length-ratio", 0, short_number(wishes.length_ratio), reason,
                  "write a larger one, whose cup cones less, a smaller --land or another --family"}};
-    if (auto const torque = nearest_torque(wishes, failed, talk))
+    if (auto const torque = nearest_torque(wishes, failed, search))
         faults.push_back(fault_of("--torque", short_number(*wishes.torque / newton_metre), reason,
                                   short_number(*torque / newton_metre)));
     constexpr double hundredths = 100;
@@ -188,9 +187,9 @@ Faults nearest_load(DesignWishes const& wishes, MeshedSheet const& failed, Talk 
 
 }  // namespace
 
-Faults nearest_wishes(DesignWishes const& wishes, MeshedSheet const& failed, Talk const& talk)
+Faults nearest_wishes(DesignWishes const& wishes, MeshedSheet const& failed, WallSearch& search)
 {
-    return failed.mesh.best ? nearest_load(wishes, failed, talk) : nearest_mesh(wishes, failed.mesh);
+    return failed.mesh.best ? nearest_load(wishes, failed, search) : nearest_mesh(wishes, failed.mesh);
 }
 
 }  // namespace hdconj::design

@@ -8,7 +8,7 @@ namespace hdconj::design {
 
 /// Each wish that stands in the way alone, with the nearest that works; all together where none does.
 /// @param failed  the search without a result
-/// @param talk    receives a line on each trial; may be empty
-[[nodiscard]] Faults nearest_wishes(DesignWishes const& wishes, MeshedSheet const& failed, Talk const& talk);
+/// @param search  that found none; tries other torques
+[[nodiscard]] Faults nearest_wishes(DesignWishes const& wishes, MeshedSheet const& failed, WallSearch& search);
 
 }  // namespace hdconj::design

@@ -65,13 +65,14 @@ bool has_mesh_with_wall(DesignWishes const& wishes)
     return false;
 }
 
-WallTrial stress_of(MeshedSheet const& made, DesignWishes const& wishes)
+WallTrial stress_of(MeshedSheet const& made, DesignWishes const& wishes, bool errors)
 {
     WallTrial trial;
     trial.wall = made.sheet["delta"];
     LoadOptions options;
     options.curve = false;
     options.torque = wishes.torque;
+    options.errors = errors;
     try {
         LoadStudy const study = study_load(scene_of(made.rows()), options);
         LoadCase const& only = study.cases.front();
@@ -114,7 +115,7 @@ std::string without_mesh(ConeNeed const& cone, MeshChoice const& tried)
 /// The mesh with @p wall, and its stress, whose side clearance and tip circle leave the coned cup clear. Each round
 /// starts from what the one before needs; another radial deformation may need more. A wall without any mesh has no
 /// stress.
-MeshedSheet mesh_with_cone(DesignWishes const& wishes, double wall)
+MeshedSheet mesh_with_cone(DesignWishes const& wishes, double wall, bool errors)
 {
     constexpr int rounds = 8, digits_of_tip = 6;
     ConeNeed cone;
@@ -129,7 +130,7 @@ MeshedSheet mesh_with_cone(DesignWishes const& wishes, double wall)
         if (is_clear && !made.walls.empty())
             break;
         if (is_clear) {
-            made.walls = {stress_of(made, wishes)};
+            made.walls = {stress_of(made, wishes, errors)};
             continue;
         }
         cone = {std::max(cone.clearance, rounded_up(need.clearance)),
@@ -137,7 +138,7 @@ MeshedSheet mesh_with_cone(DesignWishes const& wishes, double wall)
         MeshedSheet next{sheet_of(wishes, wall, cone), {}, {}};
         next.mesh = search_mesh(next.sheet, wishes, cone.tip_radius);
         if (!next.mesh.best || i == rounds) {
-            made.walls = {stress_of(made, wishes)};
+            made.walls = {stress_of(made, wishes, errors)};
             made.walls.back().interferes = true;
             made.walls.back().refusal = without_mesh(cone, next.mesh);
             break;
@@ -147,32 +148,38 @@ MeshedSheet mesh_with_cone(DesignWishes const& wishes, double wall)
     return made;
 }
 
-/// Adds a row with the root clearance that the coned cup needs. The bottom of the space is made for the tips in the
-/// middle of the face width, and the cone lifts those at one end further out.
-void add_root_clearance(MeshedSheet& made)
-{
-    ContactCase const found = study_contact(loaded_scene(scene_of(made.rows()))).cases.front();
-    if (found.least_root_clearance == 0)
-        return;
-    double const least = rounded_up(found.least_root_clearance + found.least_root_clearance_error);
-    made.sheet.add({"root clearance", "", "circular_spline.root_clearance",
-                    "tips of the coned cup clear the bottom of the space", DesignRange{least, DesignRange().high},
-                    least, "mm", "contact", DesignOrigin::computed, ""});
-}
-
 }  // namespace
 
-MeshedSheet mesh_under_torque(DesignWishes const& wishes, Talk const& talk)
+MeshedSheet WallSearch::loaded(double wall, bool errors)
 {
-    MeshedSheet best = mesh_with_wall(wishes);
-    if (!wishes.torque || !best.mesh.best)
+    auto const [at, is_new] = clear_.try_emplace(wall);
+    MeshedSheet& made = at->second;
+    if (is_new) {
+        made = mesh_with_cone(wishes_, wall, errors);
+    } else if (made.mesh.best) {
+        WallTrial const before = std::exchange(made.walls.back(), stress_of(made, wishes_, errors));
+        if (before.interferes) {
+            made.walls.back().interferes = true;
+            made.walls.back().refusal = before.refusal;
+        }
+    }
+    return made;
+}
+
+MeshedSheet WallSearch::under_torque(std::optional<double> torque, bool errors)
+{
+    if (!without_torque_)
+        without_torque_ = mesh_with_wall(wishes_);
+    MeshedSheet best = *without_torque_;
+    if (!torque || !best.mesh.best)
         return best;
+    wishes_.torque = torque;
     std::vector<WallTrial> tried;
     auto const try_walls = [&](std::initializer_list<double> walls) {
         for (double const wall : walls) {
-            if (talk)
-                talk("stress with a wall of " + short_number(wall * best.sheet["d_r"], digits) + " mm");
-            MeshedSheet const made = mesh_with_cone(wishes, wall);
+            if (talk_)
+                talk_("stress with a wall of " + short_number(wall * best.sheet["d_r"], digits) + " mm");
+            MeshedSheet const made = loaded(wall, errors);
             if (!made.mesh.best)
                 continue;
             WallTrial const& trial = made.walls.back();
@@ -187,12 +194,21 @@ MeshedSheet mesh_under_torque(DesignWishes const& wishes, Talk const& talk)
     try_walls({0.014, 0.012, 0.01, 0.015});
     if (best.walls.empty())
         try_walls({0.013, 0.011});  // the others of mesh_with_wall()
-    if (best.works())
-        add_root_clearance(best);
     // what was tried in order, the one that is taken last
     std::erase_if(tried, [&](WallTrial const& each) { return each.wall == best.walls.back().wall; });
     best.walls.insert(best.walls.begin(), tried.begin(), tried.end());
     return best;
+}
+
+void add_root_clearance(MeshedSheet& made)
+{
+    ContactCase const found = study_contact(loaded_scene(scene_of(made.rows()))).cases.front();
+    if (found.least_root_clearance == 0)
+        return;
+    double const least = rounded_up(found.least_root_clearance + found.least_root_clearance_error);
+    made.sheet.add({"root clearance", "", "circular_spline.root_clearance",
+                    "tips of the coned cup clear the bottom of the space", DesignRange{least, DesignRange().high},
+                    least, "mm", "contact", DesignOrigin::computed, ""});
 }
 
 }  // namespace hdconj::design

@@ -3,7 +3,11 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "mesh_search.hpp"
 
@@ -35,11 +39,33 @@ struct MeshedSheet
 /// Whether mesh_with_wall() finds a mesh.
 [[nodiscard]] bool has_mesh_with_wall(DesignWishes const& wishes);
 
-/// The same, and with a torque the stress of study_load() keeps the safety, with a side clearance, a tip circle and a
-/// root clearance that leave the coned cup clear. Where no wall does, the one with the least stress comes last.
-[[nodiscard]] MeshedSheet mesh_under_torque(DesignWishes const& wishes, Talk const& talk);
+/// Stress of the cup with the dimensions of @p made under the torque of @p wishes, and what its cone needs.
+/// @param errors  whether the error of the grid is estimated
+[[nodiscard]] WallTrial stress_of(MeshedSheet const& made, DesignWishes const& wishes, bool errors);
 
-/// Stress of the cup with the dimensions of @p made under the torque of the wishes, and what its cone needs.
-[[nodiscard]] WallTrial stress_of(MeshedSheet const& made, DesignWishes const& wishes);
+/// Tries the walls of some wishes under one torque after another. No torque changes the meshes, which are made once.
+class WallSearch
+{
+  public:
+    /// @param wishes  of which the torque is left out
+    WallSearch(DesignWishes wishes, Talk talk) : wishes_(std::move(wishes)), talk_(std::move(talk)) {}
+
+    /// mesh_with_wall(), and with a torque the first wall with which the stress of study_load() keeps the safety, and
+    /// the side clearance and tip circle leave the coned cup clear. Where no wall does, the one with the least stress
+    /// comes last.
+    [[nodiscard]] MeshedSheet under_torque(std::optional<double> torque, bool errors);
+
+  private:
+    [[nodiscard]] MeshedSheet loaded(double wall, bool errors);
+
+    DesignWishes wishes_;
+    Talk talk_;
+    std::optional<MeshedSheet> without_torque_;
+    std::map<double, MeshedSheet> clear_;  // by wall
+};
+
+/// Adds a row with the root clearance that the coned cup needs. The bottom of the space is made for the tips in the
+/// middle of the face width, and the cone lifts those at one end further out.
+void add_root_clearance(MeshedSheet& made);
 
 }  // namespace hdconj::design
