@@ -15,7 +15,8 @@ A comment below a paragraph, a list or a table names the source of its figures. 
 
 `from` names columns of a file (its folder is data/reference where it has none), of the rows in brackets or of all rows.
 A file that is left out is the one named before, and the end of a column's name may be left out. `+-` after a column is
-its error, the column that follows, and `+-` before it the error alone. Signs / * + - between such terms, or numbers,
+its error, the column that follows, and `+-` before it the error alone. A figure whose error is more than a third of it
+never stands without that error. Signs / * + - between such terms, or numbers,
 compute from left to right. Row by row, these values stand in the text in this order, each rounded to the digits that
 the text shows and at most 6 % off. `by` names sources that hold the figures, tests as a rule; a test source in code,
 such as `law/union`, does the same. `given` says where figures come from that no run made. `inputs` is for a whole page:
@@ -110,9 +111,18 @@ class Table:
             before, name, behind = re.fullmatch(r"\s*(\+-\s)?(.*?)(\s\+-)?\s*", name, re.S).groups()
             at = self.column(name)
             wanted += [at + 1] if before else [at, at + 1] if behind else [at]
+            if not before and not behind:
+                self.refuse_unknown(chosen, at)
         if not chosen:
             raise ValueError(f"no row has {rows}")
         return [(row[at], self.columns[at].startswith("+-")) for row in chosen for at in wanted]
+
+    def refuse_unknown(self, rows, at):
+        """Raises where a figure of a column is hardly known, so that its error must stand beside it."""
+        for row in rows if self.columns[at + 1:at + 2] == ["+-"] else ():
+            value, error = value_of(row[at]), value_of(row[at + 1])
+            if value and error is not None and abs(error) > abs(value) / 3:
+                raise ValueError(f"{row[at]} is known to +- {row[at + 1]} only: write the error too")
 
 
 def value_of(cell):
