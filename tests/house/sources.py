@@ -148,7 +148,16 @@ def pointers(root):
             for file in named.findall(path.read_text()) if not (root / file).exists()]
 
 
-RULES = (licence, machine_paths, merged, pointers, listed, tolerances, test_names, guarded)
+def matchers(root):
+    """Names that the two versions of Catch2 have in different places come from tests/support/catch.hpp alone."""
+    return [f"{name}:{number}: {found[0]} is not in both versions of Catch2: take it from support/catch.hpp"
+            for path, name in files(root)
+            if name.startswith("tests/") and path.suffix in (".cpp", ".hpp") and not name.startswith("tests/support/catch")
+            for number, line in enumerate(without_comments(path.read_text()).splitlines(), 1)
+            if (found := re.search(r"\bCatch::(?!getResultCapture)\w+", line))]
+
+
+RULES = (licence, machine_paths, merged, pointers, listed, tolerances, test_names, guarded, matchers)
 
 SPDX = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
 GOOD = {
@@ -172,6 +181,7 @@ BREAKS = [
     (tolerances, {"src/a/x.cpp": SPDX + "// why\nif (a < 1e-9)\n"}),
     (test_names, LISTS | {"tests/a/x.cpp": SPDX + 'TEST_CASE("--set")\n'}),
     (test_names, LISTS | {"tests/a/x.cpp": SPDX + 'HARD_ROW("a", "b", "right; exact")\n'}),
+    (matchers, LISTS | {"tests/x.hpp": SPDX + "#pragma once\nauto m = Catch::Contains(a);\n"}),
     (tolerances, {"tests/house/small_numbers.txt": "src/a/x.cpp 1e-9 not there\n"}),
 ]
 

@@ -63,7 +63,7 @@ struct RatesTransform
         auto const place = [](double j) { return 0.5 * (1 - std::cos(std::numbers::pi * j / n)); };
         auto const binomial = [](int m, int k) {
             double result = 1;
-            for (int i = 0; i < k; ++i)
+            for (double i = 0; i < k; ++i)
                 result = result * (m - i) / (i + 1);
             return result;
         };
