@@ -99,8 +99,16 @@ int run_inspect(CommonOptions const& given, InspectArguments const& asked)
     add_file(work, "pitch", "--pitch", own.pitch, write_pitch);
     add_file(work, "picture", "--picture", own.picture, write_chart, check_picture);
     add_file(work, "scene", "--as-tooth", own.as_tooth, write_measured_tooth);
-    if (!own.as_tooth.empty())
-        work.outputs.back().target.members = {measured_tooth_points(own.as_tooth)};
+    if (!own.as_tooth.empty()) {
+        fs::path const points = measured_tooth_points(own.as_tooth);
+        auto& [target, write] = work.outputs.back();
+        target.members = {points};
+        write = [write_both = std::move(write), points](Inspection& result) {
+            Written written = write_both(result);
+            written.push_back({"points", points, 0});
+            return written;
+        };
+    }
     work.compute = [&](ProgressLine const& progress) {
         Inspection found = inspect_points(reading.scene, measured.measured, options_of(own), progress.stages());
         if (!own.as_tooth.empty())

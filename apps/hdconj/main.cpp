@@ -218,11 +218,15 @@ int run(int argc, char** argv)
         return start_study_program(std::move(words));
     if (!words.front().starts_with('-') && !is_known_verb(program, words.front()))
         return exit_input;
+    std::vector<std::string> const given = words;
     try {
         std::reverse(words.begin(), words.end());  // as CLI11 takes them
         program.parse(std::move(words));
     } catch (CLI::ParseError const& stop) {
         bool const done = program.exit(stop) == 0;
+        if (!done && std::ranges::find(given, "--json") != given.end())
+            std::cout << check_json("", {Fault{"command line", 0, "", stop.what(), "see --help of the verb"}}, nullptr)
+                      << '\n';
         if (dynamic_cast<CLI::ExtrasError const*>(&stop) != nullptr)
             suggest_options(program, common.scene);
         return done ? exit_done : exit_input;

@@ -76,7 +76,7 @@ WireInput stored(CommonOptions const& common, WireArguments const& own)
         refuse_from("a result holds its own scene, and " + scene_name(common) + " is given too",
                     "leave one of them out; --set changes keys of the table [wedm]");
     if (own.tilt_deg)
-        refuse_from("the stored outline has the tilt that it was solved with, and --tilt asks for another",
+        refuse_from("the stored outline has the tilt that it was solved with, and --tilt is given too",
                     "leave one of them out");
     for (auto const& given : common.overrides) {
         std::string_view key = given;
@@ -131,24 +131,35 @@ std::string found_interference(StoredOutline const& stored, Scene const& scene, 
         up(found->side_clearance), up(found->tip_radius));
 }
 
-/// The set-ups of the part; of the outline that is given, where it is the circular spline's. A ring of the file
-/// @p from that is not cut is a warning.
-WireSetUps programs_of(WireInput const& input, std::string const& from, StageObserver const& on_stage)
+void say_warning(std::string const& warning, bool quiet)
+{
+    if (!quiet)
+        std::cerr << "hdconj: warning: " << warning << '\n';
+}
+
+/// The set-ups of the part; of the outline that is given, where it is the circular spline's.
+WireSetUps programs_of(WireInput const& input, StageObserver const& on_stage)
 {
     if (input.cuts_flexspline())
         return wire_set_ups(input.scene, on_stage);
     if (input.outline)
         return {wire_program(input.scene, *input.outline)};
-    WireSetUps programs = wire_set_ups(input.scene, on_stage);
-    if (!input.of_case)
-        return programs;
+    return wire_set_ups(input.scene, on_stage);
+}
+
+/// A ring of the file @p from that is not the one that is cut is a warning, and said on standard error.
+void tell_other_ring(WireInput const& input, std::string const& from, bool quiet, WireSetUps& programs)
+{
+    if (!input.of_case || input.cuts_flexspline())
+        return;
     StoredOutline const& stored = *input.of_case;
-    if (auto const told = other_ring(stored.outline, stored.side_clearance, input.scene, programs.front());
-        !told.empty())
-        programs.front().warnings.push_back(fmt::format(
-            "{} holds the ring of a case of {}; the wire cuts the ring of the stored scene, and that case has {}", from,
-            stored.verb, told));
-    return programs;
+    std::string const told = other_ring(stored.outline, stored.side_clearance, input.scene, programs.front());
+    if (told.empty())
+        return;
+    programs.front().warnings.push_back(fmt::format(
+        "{} holds the ring of a case of {}; the wire cuts the ring of the stored scene, and that case has {}", from,
+        stored.verb, told));
+    say_warning(programs.front().warnings.back(), quiet);
 }
 
 /// Says on standard error that the teeth of the ring interfere, where a result or the scene tells it, and enters what a
@@ -161,8 +172,8 @@ void tell_interference(WireInput const& input, std::string const& from, bool qui
         std::erase(programs.front().warnings, missing);
         programs.front().warnings.push_back(found);
     }
-    if (std::string const& told = found.empty() ? missing : found; !told.empty() && !quiet)
-        std::cerr << "hdconj: warning: " << told << '\n';
+    if (std::string const& told = found.empty() ? missing : found; !told.empty())
+        say_warning(told, quiet);
 }
 
 void add_files(Work<WireCut>& work, WireArguments const& own, fs::path const& folder,
@@ -195,8 +206,9 @@ int run_wedm(CommonOptions const& common, WireArguments const& own)
     append(work.inputs, input_of("--from", own.from));
     add_files(work, own, folder, dialects, input.cuts_flexspline() ? 2 : 1);
     work.compute = [&](ProgressLine const& progress) {
-        WireCut cut{programs_of(input, own.from, progress.stages()), {}};
+        WireCut cut{programs_of(input, progress.stages()), {}};
         progress.clear();
+        tell_other_ring(input, own.from, common.quiet, cut.programs);
         tell_interference(input, own.from, common.quiet, cut.programs);
         settle_unfit_dialects(cut.programs, input.scene, dialects, input.outline ? &*input.outline : nullptr);
         return cut;

@@ -119,9 +119,17 @@ class NumericalError : public std::runtime_error
 class FileError : public std::runtime_error
 {
   public:
-    /// @param file   as the user gave it
-    /// @param cause  what the system says, or why the file is refused
-    FileError(std::string const& file, std::string const& cause) : std::runtime_error(file + ": " + cause) {}
+    /// @param file    as the user gave it
+    /// @param cause   what the system says, or why the file is refused
+    /// @param remedy  what can be done, "write a file name in it"; empty where nothing is known to help
+    FileError(std::string file, std::string cause, std::string remedy = {});
+
+    [[nodiscard]] std::string const& file() const { return file_; }      ///< as the user gave it
+    [[nodiscard]] std::string const& cause() const { return cause_; }    ///< what happened
+    [[nodiscard]] std::string const& remedy() const { return remedy_; }  ///< what can be done; may be empty
+
+  private:
+    std::string file_, cause_, remedy_;
 };
 
 }  // namespace hdconj

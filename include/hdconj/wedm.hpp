@@ -163,8 +163,9 @@ struct WireProgram
     double spark_gap = 0;             ///< [mm]
     int decimals = 4;                 ///< of every rounded output
     double tolerance = 0;             ///< of the surface that is cut [mm]
-    double contour_error = 0;  ///< of the nominal contours against the true ones: what they were solved to, and what a
-                               ///< side clearance "auto" was found to [mm]
+    double contour_error = 0;  ///< of the points of the nominal contours against the true ones: what they were solved
+                               ///< to, and what a side clearance "auto" was found to; lines between points are up to
+                               ///< `tolerance` further off [mm]
     double cup_error = 0;  ///< of the displacement of the sections that an elastic cup bends, an estimate in none of
                            ///< the others; 0: none, or not known from an outline alone [mm]
     WireStop stop = WireStop::always;     ///< word of the moves with the tag `stop`

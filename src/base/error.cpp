@@ -82,6 +82,14 @@ NumericalError::NumericalError(ErrorCode code, std::string stage, std::string pl
 {
 }
 
+FileError::FileError(std::string file, std::string cause, std::string remedy)
+    : std::runtime_error(file + ": " + cause + (remedy.empty() ? "" : " (" + remedy + ")")),
+      file_(std::move(file)),
+      cause_(std::move(cause)),
+      remedy_(std::move(remedy))
+{
+}
+
 bool NumericalError::is_infeasible() const
 {
     return code_ != ErrorCode::no_reference && code_ != ErrorCode::no_room && code_ != ErrorCode::failed_check &&

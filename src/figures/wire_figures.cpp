@@ -47,7 +47,7 @@ Rows<MeasuredProgram> wire_figures()
         given<&Program::external>("external", one, "whether the teeth are outside"),
         given<&Program::wire_diameter>("wire_diameter", mm, "as the scene says", {"wire diameter", significant<6>}),
         given<&Program::spark_gap>("spark_gap", mm, "as the scene says", {"spark gap", significant<6>}),
-        given<&Program::contour_error>("contour_error", um, "of the nominal contours and of the radii",
+        given<&Program::contour_error>("contour_error", um, "of the points of the nominal contours, and of the radii",
                                        {"error of the contours", significant<3>}),
         given<&Program::cup_error>("cup_error", um, "of the displacement of the sections of an elastic cup",
                                    {"error, bent sections", significant<3>}),

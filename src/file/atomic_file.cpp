@@ -55,10 +55,10 @@ void check_target(fs::path const& target)
     if (status.error != 0)
         throw FileError(target, posix::cannot_write(status.error));
     if (status.is_folder() || !target.has_filename())
-        throw FileError(target, "is a folder (write a file name in it)");
+        throw FileError(target, "is a folder", "write a file name in it");
     if (!around.found) {
-        throw FileError(target, "the folder " + folder.string() + " does not exist (create it: mkdir -p '" +
-                                    folder.string() + "')");
+        throw FileError(target, "the folder " + folder.string() + " does not exist",
+                        "create it: mkdir -p '" + folder.string() + "'");
     }
     if (!around.is_folder())
         throw FileError(target, folder.string() + " is not a folder");

@@ -79,21 +79,22 @@ void AtomicFolder::check(fs::path const& target, char const* first_line)
         throw FileError("(empty name)", "no folder name given");
     fs::path const real = real_folder(target);
     if (!real.has_filename())
-        throw FileError(target, "is no folder that could be made (write the name of a new one)");
+        throw FileError(target, "is no folder that could be made", "write the name of a new one");
     posix::Status const status = posix::status_of(real);
     if (status.error != 0)
         throw FileError(target, posix::cannot_write(status.error));
     if (status.found && !status.is_folder())
-        throw FileError(target, "is a file, not a folder (write the name of a new folder)");
+        throw FileError(target, "is a file, not a folder", "write the name of a new folder");
     // Also where the folder is there already: a new one is made beside it.
     check_target(status.found ? real.parent_path() / ("." + real.filename().string() + ".new") : without_slash(target));
     if (status.is_folder()) {
         if (std::string const name = foreign_file(real, first_line); !name.empty()) {
             std::string const held = held_result(real);
             bool const of_another_kind = !held.empty() && held != first_line;
-            throw FileError(target, (of_another_kind ? "holds another kind of result, \"" + held + "\""
-                                                     : "holds " + name + ", which hdconj did not write there") +
-                                        " (write the name of a new folder)");
+            throw FileError(target,
+                            of_another_kind ? "holds another kind of result, \"" + held + "\""
+                                            : "holds " + name + ", which hdconj did not write there",
+                            "write the name of a new folder");
         }
     }
 }

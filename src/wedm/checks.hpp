@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "faces.hpp"
@@ -12,8 +13,19 @@
 
 namespace hdconj::wedm {
 
-/// What must not be cut so, each with the name of the check, numbers and place.
-using WireFailures = std::vector<std::string>;
+/// What must not be cut so.
+struct WireFailure
+{
+    WireFailure(std::string why, std::string help = {}, std::string key = {})
+        : cause(std::move(why)), remedy(std::move(help)), set(std::move(key))
+    {
+    }
+
+    std::string cause;   ///< with the name of the check, numbers and place
+    std::string remedy;  ///< what can be done; empty where nothing is known to help
+    std::string set;     ///< the same as an argument of --set; empty where no number is known
+};
+using WireFailures = std::vector<WireFailure>;
 
 /// "(1.5, -2) mm"
 [[nodiscard]] std::string place_text(Vec2 const& point);

@@ -29,6 +29,8 @@ WireFailures check_sweep(WireFaces const& faces, WireProgram& program)
                                           neighbourhood(faces.pitch.upper, faces)};
     for (WirePass const& pass : program.passes) {
         PairedPath const path = pitch_of(pass, program);
+        // along a straight block the distance of a corner changes by step^2/(8 offset) between two places
+        double const step = 0.5 * std::sqrt(pass.offset * program.tolerance);
         double worst = 0;
         Vec2 place = Vec2::Zero();
         auto const look = [&](Vec2 const& lower, Vec2 const& upper) {
@@ -40,10 +42,12 @@ WireFailures check_sweep(WireFaces const& faces, WireProgram& program)
                 worst = std::max(worst, error);
             }
         };
-        for (std::size_t i = 0; i < path.size(); ++i) {
-            look(path.lower[i], path.upper[i]);
-            if (i > 0)
-                look(0.5 * (path.lower[i] + path.lower[i - 1]), 0.5 * (path.upper[i] + path.upper[i - 1]));
+        look(path.lower.front(), path.upper.front());
+        for (std::size_t i = 1; i < path.size(); ++i) {
+            Vec2 const lower = path.lower[i] - path.lower[i - 1], upper = path.upper[i] - path.upper[i - 1];
+            auto const parts = static_cast<int>(std::ceil(std::max(lower.norm(), upper.norm()) / step));
+            for (int k = 1; k <= parts; ++k)
+                look(path.lower[i - 1] + lower * k / parts, path.upper[i - 1] + upper * k / parts);
         }
         program.figures.face_error = std::max(program.figures.face_error, worst);
         if (!(worst <= program.tolerance))
@@ -88,9 +92,10 @@ WireFailures check_sections(WireFaces const& faces, std::vector<std::vector<char
         }
     }
     constexpr double margin = 1.01;  // of what is written, beyond the digits that are printed
-    if (!failures.empty())
-        failures.back() +=
-            fmt::format("; to accept all sections write wedm.surface_limit = {:.3g}", margin * figures.middle_error);
+    for (WireFailure& failure : failures) {
+        failure.set = fmt::format("wedm.surface_limit={:.3g}", margin * figures.middle_error);
+        failure.remedy = "to accept all sections write wedm.surface_limit" + failure.set.substr(failure.set.find('='));
+    }
     return failures;
 }
 

@@ -76,14 +76,22 @@ void throw_failures(WireFailures const& failures)
     if (failures.empty())
         return;
     constexpr std::size_t most_told = 20;
-    WireFailures told = failures;
-    if (failures.size() > most_told) {
-        told.resize(most_told);
-        told.push_back(fmt::format("and {} more", failures.size() - most_told));
+    std::vector<std::string> causes, remedies, set;
+    auto const add_new = [](std::vector<std::string>& all, std::string const& each) {
+        if (!each.empty() && std::ranges::find(all, each) == all.end())
+            all.push_back(each);
+    };
+    for (WireFailure const& failure : failures) {
+        if (causes.size() < most_told)
+            causes.push_back(failure.cause);
+        add_new(remedies, failure.remedy);
+        add_new(set, failure.set);
     }
+    if (failures.size() > most_told)
+        causes.push_back(fmt::format("and {} more", failures.size() - most_told));
     throw NumericalError(ErrorCode::failed_check, "wedm",
                          fmt::format("{} check{} failed", failures.size(), failures.size() == 1 ? "" : "s"),
-                         fmt::format("{}", fmt::join(told, "; ")));
+                         fmt::format("{}", fmt::join(causes, "; ")), fmt::format("{}", fmt::join(remedies, "; ")), set);
 }
 
 }  // namespace
@@ -173,25 +181,31 @@ WireFailures check_start(WireProgram const& program)
         WireMove const& from = pass.moves[pass.moves.size() - 2];
         for (bool const upper : {false, true}) {
             char const* const face = upper ? "upper" : "lower";
+            std::vector<Vec2> const& part = upper ? program.nominal.upper : program.nominal.lower;
+            Vec2 const &in_end = upper ? to.upper : to.lower, &out_begin = upper ? from.upper : from.lower;
             double clear = std::numeric_limits<double>::infinity();
             double way = clear;
-            for (Vec2 const& p : upper ? program.nominal.upper : program.nominal.lower) {
-                clear = std::min({clear, (p - hole).norm(), (p - out).norm()});
-                way = std::min({way, distance_to_segment(p, hole, upper ? to.upper : to.lower),
-                                distance_to_segment(p, upper ? from.upper : from.lower, out)});
+            for (std::size_t i = 0; i < part.size(); ++i) {
+                Vec2 const &a = part[i], &b = part[i + 1 == part.size() ? 0 : i + 1];
+                clear = std::min({clear, distance_to_segment(hole, a, b), distance_to_segment(out, a, b)});
+                way = std::min(
+                    {way, distance_of_segments(hole, in_end, a, b), distance_of_segments(out_begin, out, a, b)});
             }
+            // as far as the path and the edges of the contour may each be off
+            double const least_way = pass.offset - 2 * program.tolerance;
             double const room = pass.offset + program.start_hole_radius;
             if (!(clear >= room))
                 failures.push_back(
                     fmt::format("start: the start hole's centre is {:.6g} mm from the part in the {} face, and pass {} "
                                 "needs {:.6g} mm",
                                 clear, face, pass.number, room));
-            if (!(way >= pass.offset - program.tolerance))
+            if (!(way >= least_way))
                 failures.push_back(
-                    fmt::format("start: lead-in or lead-out of pass {} come within {:.6g} mm of the part in the {} "
-                                "face, and the offset is {:.6g} mm: write another wedm.overlap, at whose end the way "
-                                "to the start hole is free, or a shorter wedm.lead_in",
-                                pass.number, way, face, pass.offset));
+                    {fmt::format("start: lead-in or lead-out of pass {} come within {:.6g} mm of the part in the {} "
+                                 "face, and the offset is {:.6g} mm",
+                                 pass.number, way, face, pass.offset),
+                     "write another wedm.overlap, at whose end the way to the start hole is free, or a shorter "
+                     "wedm.lead_in"});
         }
     }
     return failures;

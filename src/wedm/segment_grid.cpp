@@ -25,6 +25,16 @@ bool between(Vec2 const& a, Vec2 const& b, Vec2 const& p)
     return (p.array() >= a.cwiseMin(b).array()).all() && (p.array() <= a.cwiseMax(b).array()).all();
 }
 
+/// Whether the segments a b and c d touch or cross.
+bool segments_touch(Vec2 const& a, Vec2 const& b, Vec2 const& c, Vec2 const& d)
+{
+    int const sc = side(a, b, c), sd = side(a, b, d), sa = side(c, d, a), sb = side(c, d, b);
+    if (sc * sd < 0 && sa * sb < 0)
+        return true;
+    return (sc == 0 && between(a, b, c)) || (sd == 0 && between(a, b, d)) || (sa == 0 && between(c, d, a)) ||
+           (sb == 0 && between(c, d, b));
+}
+
 }  // namespace
 
 double distance_to_segment(Vec2 const& p, Vec2 const& a, Vec2 const& b, Lean const& lean)
@@ -33,6 +43,14 @@ double distance_to_segment(Vec2 const& p, Vec2 const& a, Vec2 const& b, Lean con
     double const length = along.squaredNorm();
     double const share = length > 0 ? std::clamp(to_p.dot(along) / length, 0.0, 1.0) : 0;
     return (to_p - share * along).norm();
+}
+
+double distance_of_segments(Vec2 const& a, Vec2 const& b, Vec2 const& c, Vec2 const& d)
+{
+    if (segments_touch(a, b, c, d))
+        return 0;
+    return std::min({distance_to_segment(a, c, d), distance_to_segment(b, c, d), distance_to_segment(c, a, b),
+                     distance_to_segment(d, a, b)});
 }
 
 SegmentGrid::SegmentGrid(std::vector<Vec2> points, bool closed)
@@ -118,18 +136,7 @@ double SegmentGrid::distance(Vec2 const& p, Lean const& lean) const
 
 bool SegmentGrid::touch(std::size_t i, std::size_t j) const
 {
-    Vec2 const& a = points_[i];
-    Vec2 const& b = end(i);
-    Vec2 const& c = points_[j];
-    Vec2 const& d = end(j);
-    int const sc = side(a, b, c);
-    int const sd = side(a, b, d);
-    int const sa = side(c, d, a);
-    int const sb = side(c, d, b);
-    if (sc * sd < 0 && sa * sb < 0)
-        return true;
-    return (sc == 0 && between(a, b, c)) || (sd == 0 && between(a, b, d)) || (sa == 0 && between(c, d, a)) ||
-           (sb == 0 && between(c, d, b));
+    return segments_touch(points_[i], end(i), points_[j], end(j));
 }
 
 std::pair<std::size_t, std::size_t> SegmentGrid::crossing() const

@@ -58,4 +58,7 @@ class SegmentGrid
 /// Distance of @p p from the segment a b, as it is seen along @p lean [mm].
 [[nodiscard]] double distance_to_segment(Vec2 const& p, Vec2 const& a, Vec2 const& b, Lean const& lean = {});
 
+/// Distance of the segments a b and c d; 0 where they touch or cross [mm].
+[[nodiscard]] double distance_of_segments(Vec2 const& a, Vec2 const& b, Vec2 const& c, Vec2 const& d);
+
 }  // namespace hdconj::wedm

@@ -57,7 +57,10 @@ std::string check_json(std::string const& scene_name, Faults const& faults, Plan
 
 std::string failure_json(std::string const& scene_name, std::exception const& error)
 {
-    Json said{{"code", "failed"}, {"stage", ""}, {"place", ""}, {"cause", error.what()}, {"remedy", ""}};
+    Json said{{"code", "failed"},      {"stage", ""},  {"place", ""},
+              {"cause", error.what()}, {"remedy", ""}, {"set", Json::array()}};
+    if (auto const* of_file = dynamic_cast<FileError const*>(&error))
+        said.update({{"place", of_file->file()}, {"cause", of_file->cause()}, {"remedy", of_file->remedy()}});
     if (auto const* known = dynamic_cast<NumericalError const*>(&error))
         said = {{"code", code_word(known->code())}, {"stage", known->stage()},   {"place", known->place()},
                 {"cause", known->cause()},          {"remedy", known->remedy()}, {"set", known->set()}};

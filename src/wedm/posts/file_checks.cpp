@@ -13,7 +13,7 @@ void check_program(WireProgram const& program)
 {
     for (WireFailures const& failures : {check_numbers(program), check_pairing(program)})
         if (!failures.empty())
-            refuse_to_write(program.name, failures.front());
+            refuse_to_write(program.name, failures.front().cause);
 }
 
 void check_text(WirePost const& post, WireText const& file)

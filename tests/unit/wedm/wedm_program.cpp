@@ -171,6 +171,72 @@ TEST_CASE(
     }
 }
 
+namespace {
+
+/// Straight flanks and a thin wire: edges of the contour are much longer than the wire is wide.
+Scene thin_wire(std::vector<std::string> keys)
+{
+    for (char const* const key : {"wedm.wire_diameter=0.05", "wedm.spark_gap=0.004", "wedm.thickness=7"})
+        keys.emplace_back(key);
+    return read_scene(HDCONJ_SOURCE_DIR "/data/scenes/straight.toml", keys);
+}
+
+/// Distance of @p p from the edges of a closed contour.
+double distance_to_contour(std::vector<Vec2> const& contour, Vec2 const& p)
+{
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < contour.size(); ++i)
+        nearest = std::min(nearest, test::distance_to_segment(contour[i], contour[(i + 1) % contour.size()], p));
+    return nearest;
+}
+
+}  // namespace
+
+TEST_CASE("leads keep the distance of the path from the edges of the part, or the overlap is refused", "[wedm]")
+{
+    int accepted = 0, refused = 0;
+    for (char const* const overlap : {"1", "1.5", "1.75", "2", "3", "3.5"}) {
+        INFO("overlap " << overlap);
+        try {
+            WireProgram const program =
+                wire_program(thin_wire({"wedm.lead_in=1", std::string("wedm.overlap=") + overlap}));
+            ++accepted;
+            std::vector<WireMove> const& moves = program.passes.front().moves;
+            std::pair<Vec2, Vec2> const leads[] = {{moves[0].lower, moves[1].lower},
+                                                   {moves[moves.size() - 2].lower, moves.back().lower}};
+            constexpr int parts = 500;
+            for (auto const& [from, to] : leads)
+                for (int k = 0; k <= parts; ++k)
+                    CHECK(distance_to_contour(program.nominal.lower, from + (to - from) * k / parts) >=
+                          program.passes.front().offset - 2 * program.tolerance);
+        } catch (NumericalError const& error) {
+            ++refused;
+            CHECK_THAT(error.what(), ContainsSubstring("write another wedm.overlap"));
+        }
+    }
+    CHECK(accepted == 3);
+    CHECK(refused == 3);
+}
+
+TEST_CASE("the error in the faces is that of the worst place along every block", "[wedm]")
+{
+    std::vector<Vec2> const part = wire_program(thin_wire({"wedm.tolerance=1e-5", "wedm.decimals=6"})).nominal.lower;
+    for (std::string const tolerance : {"5e-4", "2e-3"}) {
+        WireProgram const program = wire_program(thin_wire({"wedm.tolerance=" + tolerance}));
+        WirePass const& pass = program.passes.front();
+        std::size_t const pitch = pass.moves.size() / 100;  // two tooth spaces
+        double worst = 0;
+        constexpr int parts = 40;
+        for (std::size_t i = 2; i < pitch; ++i)
+            for (int k = 0; k < parts; ++k) {
+                Vec2 const at = pass.moves[i].lower + (pass.moves[i + 1].lower - pass.moves[i].lower) * k / parts;
+                worst = std::max(worst, std::abs(distance_to_contour(part, at) - pass.offset));
+            }
+        INFO("tolerance " << tolerance);
+        CHECK(program.figures.face_error == Approx(worst).epsilon(0.05));
+    }
+}
+
 TEST_CASE("without tilt both faces are the same bits and so are the guides", "[wedm]")
 {
     for (auto const& sets : {std::vector<std::string>{}, {"tilt.angle_deg=0", "slices.count=5"}}) {
