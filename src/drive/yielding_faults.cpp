@@ -14,7 +14,8 @@ namespace {
 double root_radius(Scene const& scene, profile::Profile const& tooth, PairGeometry const& g)
 {
     return scene.is_reverse() ? given_tooth_seat(g, tooth) - tooth.pitch_line + tooth.dedendum
-                              : g.r_m + g.w0 + g.pitch_line + g.addendum + scene.circular_spline.root_clearance;
+                              : g.r_m + g.w0 + g.pitch_line + g.addendum + scene.circular_spline.root_clearance +
+                                    scene.circular_spline.backlash_offset;
 }
 
 void validate_body(Compliance const& compliance, double root, Faults& faults)

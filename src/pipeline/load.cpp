@@ -64,9 +64,9 @@ LoadStudy study_load(Scene const& scene, LoadOptions const& options, StageObserv
     load::tell_assembly(observer, study.cup);
     if (data->plan.has(Stage::compliance)) {
         PairGeometry const& g = context.geometry;
-        drives.series = clock.value_of(Stage::compliance, [&] {
-            return load::series_members(context.scene, g.circular_spline_inner_radius + g.space_depth);
-        });
+        double const side_clearance = context.scene.is_reverse() ? 0 : context.scene.circular_spline.backlash_offset;
+        double const root = g.circular_spline_inner_radius + g.space_depth + side_clearance;
+        drives.series = clock.value_of(Stage::compliance, [&] { return load::series_members(context.scene, root); });
     }
     clock.run(Stage::load, [&] {
         constexpr std::size_t coarser_grids = 2;

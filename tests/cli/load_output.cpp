@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <regex>
 #include <sstream>
 
 #include "hdconj_run.hpp"
@@ -30,6 +31,17 @@ std::string const one_torque = coarse + "--no-curve ";
 Outcome load(std::string const& arguments, TemporaryFolder const& folder)
 {
     return hdconj::test::hdconj_run("load " + arguments, folder.path());
+}
+
+/// Words of a line with one space between them.
+std::string one_spaced(std::string const& text)
+{
+    return std::regex_replace(text, std::regex(" +"), " ");
+}
+
+std::string line_of(std::string const& label, std::string const& value, std::string const& words)
+{
+    return "\n " + label + " " + value + " " + words + "\n";
 }
 
 /// A log of the thesis' rig: current of a motor with 119 mN m/A, counts of 2000 per turn, behind 1:100.
@@ -92,6 +104,27 @@ TEST_CASE("load: the curve is run as asked and JSON and HDF5 say the same", "[lo
     CHECK(doubles("/load/backlash")[0] * arcmin == Approx(only.at("backlash_arcmin").get<double>()).margin(1e-9));
     auto const map = doubles("/load/case_000/map/pressure");
     CHECK(*std::max_element(map.begin(), map.end()) == Approx(rated.at("largest_pressure_MPa").get<double>()));
+}
+
+TEST_CASE("load: the text names each error that the scene gives", "[load]")
+{
+    TemporaryFolder const folder;
+    auto const done =
+        load(one_torque +
+                 "-o a.h5 --no-errors --set bearing.clearance=0.002 "
+                 "--set errors.wave_generator.eccentricity=0.001 "
+                 "--set 'errors.wave_generator.cam_deviation=[[0, 0], [90, 0.001], [180, 0], [270, 0]]' "
+                 "--set errors.flexspline.profile_slope=0.002 "
+                 "--set 'errors.circular_spline.profile_form=[[-0.3, 0], [-0.1, 0], [0.1, 0], [0.3, 0.001]]'",
+             folder);
+    INFO(done.err);
+    REQUIRE(done.status == 0);
+    for (std::string const& line :
+         {line_of("bearing clearance", "2 um", "on the diameter, under torque"),
+          line_of("eccentricity", "1 um", "wave generator"), line_of("cam deviation", "4 rows", "wave generator"),
+          line_of("profile slope", "2 um", "flexspline, tip over root"),
+          line_of("profile form", "4 rows", "circular spline")})
+        CHECK_THAT(one_spaced(done.out), ContainsSubstring(line));
 }
 
 TEST_CASE("load: the members in series add up to the twist, in text, JSON and HDF5 alike", "[load][compliance]")

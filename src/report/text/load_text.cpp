@@ -25,8 +25,16 @@ void write_deviations(Page& page, Scene const& scene)
                     fmt::format("at both ends, over {:g} mm", scene.end_relief->length));
     if (scene.flow)
         page.figure("flow pressure", fmt::format("{:g} MPa", scene.flow->pressure), "of the flanks");
+    if (scene.bearing && scene.bearing->clearance != 0)
+        page.figure("bearing clearance", in_um(scene.bearing->clearance), "on the diameter, under torque");
     if (!scene.errors)
         return;
+    auto const of_flanks = [&](char const* name, double slope, scene::NumberRows const& form) {
+        if (slope != 0)
+            page.figure("profile slope", in_um(slope), fmt::format("{}, tip over root", name));
+        if (!form.empty())
+            page.figure("profile form", fmt::format("{} rows", form.size()), name);
+    };
     auto const of_ring = [&](char const* name, std::optional<RingErrors> const& ring) {
         if (!ring)
             return;
@@ -39,13 +47,17 @@ void write_deviations(Page& page, Scene const& scene)
             page.figure("eccentricity", in_um(ring->eccentricity), name);
         if (ring->wobble != 0)
             page.figure("wobble", fmt::format("{:g} deg", to_deg(ring->wobble)), name);
+        of_flanks(name, ring->profile_slope, ring->profile_form);
     };
     of_ring("flexspline", scene.errors->flexspline);
     of_ring("circular spline", scene.errors->circular_spline);
-    if (scene.errors->profile_slope != 0)
-        page.figure("profile slope", in_um(scene.errors->profile_slope), "flexspline, tip over root");
-    if (!scene.errors->profile_form.empty())
-        page.figure("profile form", fmt::format("{} rows", scene.errors->profile_form.size()), "flexspline");
+    of_flanks("flexspline", scene.errors->profile_slope, scene.errors->profile_form);
+    if (auto const& generator = scene.errors->wave_generator) {
+        if (generator->eccentricity != 0)
+            page.figure("eccentricity", in_um(generator->eccentricity), "wave generator");
+        if (!generator->cam_deviation.empty())
+            page.figure("cam deviation", fmt::format("{} rows", generator->cam_deviation.size()), "wave generator");
+    }
 }
 
 void write_load_setting(Page& page, LoadStudy const& study)

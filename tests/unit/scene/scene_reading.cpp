@@ -243,6 +243,9 @@ TEST_CASE("an elastic cup with keys that say nothing together is refused with th
     refused({"bearing.type=rigid", "!bearing.ring_thickness", "!bearing.axially", "bearing.clearance=0.01"},
             "bearing.clearance", "no outer ring");
     refused({"bearing.balls=23", "bearing.ball_diameter=6"}, "bearing.ball_diameter", "do not fit");
+    // the root circle lies further out by the side clearance
+    refused({"circular_spline.backlash_offset=0.1", "compliance.outer_radius=25.53"}, "compliance.outer_radius",
+            "nothing is left");
 }
 
 TEST_CASE("members in series and balls are read in their units", "[scene]")
