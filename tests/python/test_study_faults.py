@@ -289,6 +289,18 @@ def test_figures_are_those_of_the_first_drive(old, new, said):
     assert said in str(refused.value)
 
 
+@pytest.mark.parametrize("keys, where", [
+    ('"load.torque" = { list = [5, 20] }', "vary"), ('T = { list = [5, 20] }\n"load.torque" = "T"', "vary"),
+    ('a = { list = [5, 20] }\n[set]\n"load.torque" = 20', "set"),
+])  # fmt: skip
+def test_an_option_in_place_of_a_key_that_is_given_is_refused(keys, where):
+    """The rows would show torques that were not computed."""
+    text = f'[vary]\n{keys}\n[compute]\nverb = "load"\nload = {{ torque = 28 }}\n[figures]\ntwist = "load.twist"'
+    said = rf"compute.load.torque = 28: stands in place of load.torque, which stands under \[{where}\] too \(remove one"
+    with pytest.raises(hdconj.InputError, match=said):
+        study.read_recipe(text)
+
+
 TORQUE = """
 [vary]
 "load.torque" = { list = [5.0, 10.0] }

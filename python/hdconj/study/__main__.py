@@ -104,7 +104,7 @@ def print_best(study: Any, options: argparse.Namespace) -> bool:
     errors = [name for name in table.columns if name.endswith("_error") and table[name].isna().all()]
     print(table.drop(columns=[*errors, "code", "stage", "place", "cause"]).to_string(index=False, float_format=_number))
     if options.scene:
-        study.folder.write_scene(Path(options.scene), study.recipe.scene_of(study.values(table.iloc[0])))
+        study.folder.write_scene(Path(options.scene), study.recipe, study.values(table.iloc[0]))
     return True
 
 

@@ -241,10 +241,10 @@ def write_best(study: Study) -> list[Path]:
     spread = np.ptp(values, axis=0)
     distance = ((values - values.min(axis=0)) / np.where(spread > 0, spread, 1)) ** 2
     nearest = best.iloc[int(distance.sum(axis=1).argmin())]
-    study.folder.write_scene(files[0], study.recipe.scene_of(study.values(nearest)))
+    study.folder.write_scene(files[0], study.recipe, study.values(nearest))
     if len(study.recipe.objectives) > 1:
         pareto = study.folder.part("pareto")
         for row in best.to_dict("records"):
             files.append(pareto / f"sample-{int(row['sample']):06d}.toml")
-            study.folder.write_scene(files[-1], study.recipe.scene_of(study.values(row)))
+            study.folder.write_scene(files[-1], study.recipe, study.values(row))
     return files

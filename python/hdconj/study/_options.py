@@ -14,6 +14,11 @@ from .._scene import Scene
 from ._keys import is_number
 
 _NOT_HERE = ("scene", "progress", "errors", "return")
+# Options that stand in place of a key of the scene, and that key.
+KEYS = {
+    **{"torque": "load.torque", "points": "load.points"},
+    **{"tilts_deg": "tilt.angle_deg", "kinds": "tilt.kind", "surfaces": "slices.surface"},
+}
 _LEAVES = {bool: "true or false", int: "a whole number", float: "a number", str: "a text in quotes"}
 
 
@@ -28,6 +33,11 @@ def _begins(what: str, share: float | None) -> None:
 def known_options(verb: str) -> dict[str, Any]:
     """Options that a study may give to a verb, and their types."""
     return {name: kind for name, kind in get_type_hints(getattr(hdconj, verb)).items() if name not in _NOT_HERE}
+
+
+def single(value: Any) -> Any:
+    """The one value of an option that may be a list; None where it has none."""
+    return next(iter(value), None) if isinstance(value, list) else value
 
 
 def fits(value: object, kind: Any) -> bool:

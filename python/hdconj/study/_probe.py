@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from contextlib import suppress
+from dataclasses import replace
 from typing import Any
 
 from .._errors import Fault, NumericalError
@@ -12,8 +13,8 @@ from .._scene import Scene
 from ._expression import Expression
 from ._faults import near, written
 from ._keys import Key, Value
-from ._options import judged
-from ._recipe import Recipe
+from ._options import KEYS, judged, single
+from ._recipe import Recipe, flat
 from ._tables import Reader
 
 
@@ -61,9 +62,35 @@ def ask_verbs(reader: Reader, recipe: Recipe) -> None:
             reader.told(place, reason, fault.remedy, fault.value)
 
 
-def _schema_fault(
-    reader: Reader, fault: Fault, key: Key, values: Mapping[str, Value], recipe: Recipe
-) -> None:
+def refuse_overridden(reader: Reader, recipe: Recipe) -> None:
+    """An option that stands in place of a key leaves the key's value, which the rows show, without effect."""
+    given = {path: "vary" for path in (*recipe.first, *(path for path, _ in recipe.links))}
+    given |= {path: "set" for path in flat(reader.table("set"))}
+    for verb, options in recipe.verbs:
+        for option, key in KEYS.items():
+            if key in given and single(options.get(option)) is not None:
+                reason = f"stands in place of {key}, which stands under [{given[key]}] too"
+                reader.told(f"compute.{verb}.{option}", reason, "remove one of them", options[option])
+
+
+def settled(recipe: Recipe) -> Recipe:
+    """The recipe whose scene has the values of options that stand in place of its keys: its scenes say them then.
+
+    They stay options where the verbs differ in them, and where the scene is not sound with that key alone.
+    """
+    scene, verbs = recipe.scene, [(verb, dict(options)) for verb, options in recipe.verbs]
+    for option, key in KEYS.items():
+        takes_it = [options for verb, options in verbs if verb == "load" or not key.startswith("load.")]
+        value, *others = [single(options.get(option)) for options in takes_it] or [None]
+        changed = scene if value is None else scene.with_({key: value})
+        if value is not None and all(other == value for other in others) and set(changed.check()) <= set(scene.check()):
+            scene = changed
+            for options in takes_it:
+                del options[option]
+    return replace(recipe, scene=scene, verbs=tuple(verbs))
+
+
+def _schema_fault(reader: Reader, fault: Fault, key: Key, values: Mapping[str, Value], recipe: Recipe) -> None:
     """Takes over a fault that holds whatever the other keys are; others are drives that cannot be made."""
     varied = {key.path for key in recipe.keys} | {path for path, _ in recipe.links}
     of_key = fault.path == key.path or (fault.kind == "unknown" and key.path.startswith(f"{fault.path}."))

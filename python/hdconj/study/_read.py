@@ -13,7 +13,7 @@ from .._scene import Scene
 from ._data_files import contents
 from ._faults import fault_at, lines_of, near, refuse
 from ._keys import MOST, Key, Value
-from ._probe import ask_names, ask_verbs, probe
+from ._probe import ask_names, ask_verbs, probe, refuse_overridden, settled
 from ._recipe import Recipe, flat
 from ._sample import METHODS, sample_count
 from ._tables import Reader
@@ -106,6 +106,7 @@ def _read_tables(reader: Reader) -> Recipe:
             reason = "has the name of another file of the scene"
             reader.told("compute.load.measured", reason, "write another name", name)
     probe(reader, scene, recipe)
+    refuse_overridden(reader, recipe)
     if base := _tables_of(scene):
         ask_names(reader, links, {**base, **{key.path: _sort_of(key) for key in keys}})
     ask_verbs(reader, recipe)
@@ -137,7 +138,7 @@ def read_recipe(text: str, name: str = "text", folder: str | os.PathLike[str] = 
     recipe = _read_tables(reader)
     if reader.faults:
         refuse([*reader.faults, *unread_curves(recipe)])
-    return recipe
+    return settled(recipe)
 
 
 def load_recipe(file: str | os.PathLike[str]) -> Recipe:

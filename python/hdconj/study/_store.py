@@ -20,8 +20,8 @@ import hdconj
 
 from .. import _files
 from .._errors import FileError, Fault, InputError, fault_text
-from .._scene import Scene
 from ._data_files import FOLDER, copies, renamed, scene_text
+from ._keys import Value
 from ._recipe import Recipe
 from ._shards import FORMAT, made_folder, read_shards, schema_of, told, write_whole
 
@@ -139,9 +139,17 @@ class Folder:
         write_whole(self.place / "study.toml", renamed(_own_scene(recipe), names).encode())
         return about
 
-    def write_scene(self, file: Path, scene: Scene) -> None:
-        """Writes the scene of a drive, whose files are found from where it stands."""
-        text = scene_text(scene, file.parent).encode("utf-8", "surrogateescape")
+    def write_scene(self, file: Path, recipe: Recipe, values: Mapping[str, Value]) -> None:
+        """Writes the scene of a drive, whose files are found from where it stands.
+
+        Options of verbs that are no keys of it stand in its head.
+        """
+        head = "".join(
+            f"# The figures of the study are those of hdconj.{verb}(SCENE, "
+            f"{', '.join(f'{name}={value!r}' for name, value in options.items())}).\n"
+            for verb, options in recipe.verbs if options
+        )  # fmt: skip
+        text = (head + scene_text(recipe.scene_of(values), file.parent)).encode("utf-8", "surrogateescape")
         _files.write_whole(file, lambda name: Path(name).write_bytes(text))
 
     def note(self, about: Mapping[str, Any]) -> None:
