@@ -222,6 +222,16 @@ def test_workers_that_do_not_start_are_told(monkeypatch, tmp_path, capsys):
     assert capsys.readouterr().err == f"hdconj study: {told}\n"
 
 
+def test_a_script_needs_no_guard(tmp_path):
+    """Workers do not run it."""
+    write(tmp_path, 40)
+    script = tmp_path / "script.py"
+    script.write_text('import hdconj.study\nprint("ran")\nhdconj.study.run("study.toml", "out", jobs=2)\n')
+    done = subprocess.run([sys.executable, script], cwd=tmp_path, capture_output=True, text=True, timeout=120)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "ran\n", "")
+    assert len(study.open(tmp_path / "out").frame) == 40
+
+
 def test_a_scheduler_without_the_package_is_told(monkeypatch, tmp_path):
     with contextlib.ExitStack() as stack:
         with monkeypatch.context() as bare:

@@ -9,11 +9,13 @@ import logging
 import os
 import signal
 import sys
+import threading
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from importlib import import_module
 from importlib.util import find_spec
+from multiprocessing import spawn
 from multiprocessing.resource_tracker import ensure_running
 from pathlib import Path
 from typing import Any
@@ -99,7 +101,7 @@ def engine(jobs: int = 0, scheduler: str | None = None) -> Iterator[Any]:
         **dask.config.get("distributed.nanny.pre-spawn-environ"),
         **spaces,
     }
-    with dask.config.set(settings):
+    with dask.config.set(settings), _without_the_script():
         with _deaf_to_interrupts():
             try:
                 cluster = distributed.LocalCluster(
@@ -130,6 +132,25 @@ def _deaf_to_interrupts() -> Iterator[None]:
         yield
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+@contextmanager
+def _without_the_script() -> Iterator[None]:
+    """Workers do not run the script that has called, which need not stand below ``if __name__ == "__main__":``.
+
+    Processes that the script itself spawns meanwhile have it, as ever.
+    """
+    whole = spawn.get_preparation_data
+
+    def bare(name: str) -> dict[str, Any]:
+        is_of_dask = threading.current_thread().name.startswith("AsyncProcess")
+        return {word: item for word, item in whole(name).items() if not (is_of_dask and word.startswith("init_main"))}
+
+    spawn.get_preparation_data = bare
+    try:
+        yield
+    finally:
+        spawn.get_preparation_data = whole
 
 
 def _scratch() -> str:
