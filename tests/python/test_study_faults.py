@@ -318,6 +318,18 @@ def test_a_name_that_means_two_things_is_refused():
         study.check(study.read_recipe(TORQUE.replace(', measured = "rig.csv"', "")))
 
 
+def test_a_middle_drive_that_cannot_be_made_stops_no_study():
+    """Its figures are not known, so names are left unchecked; a name that means two things is told in the rows."""
+    text = GOOD.replace(FLANK, '"wave_generator.radial_deformation" = { list = [0.15, 0.25] }')
+    text = text.replace('"solve.land_width"', '"solve.land_width / wave_generator.radial_deformation"')
+    good = study.check(study.read_recipe(text))
+    codes = [_drive.row_of(good, (0, {good.keys[0].path: value}), False)[0]["code"] for value in (0.15, 0.25)]
+    assert codes[0] not in ("", "figure") and codes[1] == ""
+    given = study.read_recipe(TORQUE.replace(', measured = "rig.csv"', ""))
+    row = _drive.row_of(given, (0, given.first), False)[0]
+    assert (row["code"], row["cause"]) == ("figure", "load.torque / 2: load.torque is a key that varies and a figure")
+
+
 def test_a_measured_curve_that_is_not_there_is_named(tmp_path):
     with pytest.raises(hdconj.InputError, match=r"compute.load.measured = .*rig.csv: cannot be read"):
         study.check(study.read_recipe(TORQUE, "study", tmp_path))

@@ -88,8 +88,11 @@ def compute(recipe: Recipe, values: Mapping[str, Value], errors: bool) -> tuple[
         estimates |= own_errors
         units |= own_units
     row: Row = {**linked, **MADE}
+    both = recipe.varied & units.keys()
     for name, expression in recipe.figures:
         try:
+            if clash := both.intersection(expression.names):
+                raise ValueError(f"{min(clash)} is a key that varies and a figure")
             value, error = expression.with_error(known, estimates)
             if not math.isfinite(value):
                 raise ValueError("is no finite number")

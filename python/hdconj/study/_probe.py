@@ -64,7 +64,7 @@ def ask_verbs(reader: Reader, recipe: Recipe) -> None:
 
 def refuse_overridden(reader: Reader, recipe: Recipe) -> None:
     """An option that stands in place of a key leaves the key's value, which the rows show, without effect."""
-    given = {path: "vary" for path in (*recipe.first, *(path for path, _ in recipe.links))}
+    given = dict.fromkeys(recipe.varied, "vary")
     given |= {path: "set" for path in flat(reader.table("set"))}
     for verb, options in recipe.verbs:
         for option, key in KEYS.items():
@@ -92,9 +92,8 @@ def settled(recipe: Recipe) -> Recipe:
 
 def _schema_fault(reader: Reader, fault: Fault, key: Key, values: Mapping[str, Value], recipe: Recipe) -> None:
     """Takes over a fault that holds whatever the other keys are; others are drives that cannot be made."""
-    varied = {key.path for key in recipe.keys} | {path for path, _ in recipe.links}
     of_key = fault.path == key.path or (fault.kind == "unknown" and key.path.startswith(f"{fault.path}."))
-    if fault.kind == "other" or not (of_key or fault.path in varied):
+    if fault.kind == "other" or not (of_key or fault.path in recipe.varied):
         return
     value = values[key.path]
     whole = of_key and isinstance(value, float) and value.is_integer()

@@ -95,6 +95,11 @@ class Recipe:
         return self.scene.with_({path: _whole(value) if path in links else value for path, value in given.items()})
 
     @cached_property
+    def varied(self) -> frozenset[str]:
+        """Keys and names that vary, links included."""
+        return frozenset((*(key.path for key in self.keys), *(path for path, _ in self.links)))
+
+    @cached_property
     def figure_names(self) -> frozenset[str]:
         """What the expressions under [figures] read."""
         return frozenset(name for _, expression in self.figures for name in expression.names)

@@ -31,7 +31,6 @@ def first_drive(recipe: Recipe) -> tuple[Row, dict[str, str], float]:
         A name under [figures] is no figure of the result, or a verb refuses its options.
     """
     refuse(unread_curves(recipe))
-    _refuse_ambiguous_names(recipe)
     begin = time.perf_counter()
     rows, units = careful_rows(recipe, [(0, recipe.first)], recipe.errors)
     row = rows[0]
@@ -43,32 +42,28 @@ def first_drive(recipe: Recipe) -> tuple[Row, dict[str, str], float]:
     return row, units, time.perf_counter() - begin
 
 
-def _refuse_ambiguous_names(recipe: Recipe) -> None:
-    """A key that varies and a figure of the same name may have other units, as load.torque has."""
-    varied = {*recipe.first, *(path for path, _ in recipe.links)} & recipe.figure_names
-    both = varied & _figures_of_first(recipe) if any("." in path for path in varied) else set()
-    lines = lines_of(recipe.text)
+def _refuse_figures(recipe: Recipe) -> None:
+    """Names every figure that the first drive does not have, and those that have the name of a key that varies.
+
+    One that has no value for that drive is no fault.
+    """
+    figures, lines = _figures_of_first(recipe), lines_of(recipe.text)
+    known = _known_keys(recipe) | figures
+    both = recipe.varied & figures
     refuse([
         fault_at(lines, f"figures.{name}", f"{used} is a key that varies and a figure",
                  f'let a name vary, such as T = {{ from = 1, to = 2 }}, write "{used}" = "T" under [vary], and T here',
                  expression.text)
-        for name, expression in recipe.figures for used in expression.names if used in both
-    ])  # fmt: skip
-
-
-def _refuse_figures(recipe: Recipe) -> None:
-    """Names every figure that the first drive does not have; one that has no value for that drive is no fault."""
-    known, lines = _figure_names(recipe), lines_of(recipe.text)
-    refuse([
+        if used in both else
         fault_at(lines, f"figures.{name}", f"unknown figure {used}", near(used, sorted(known)), expression.text)
-        for name, expression in recipe.figures for used in expression.names if used not in known
+        for name, expression in recipe.figures for used in expression.names if used in both or used not in known
     ])  # fmt: skip
 
 
-def _figure_names(recipe: Recipe) -> set[str]:
-    """What the expressions under [figures] may name: keys, and all figures of the first drive."""
+def _known_keys(recipe: Recipe) -> set[str]:
+    """Keys and names that the expressions under [figures] may use."""
     words = {key.path for key in recipe.keys if key.law == "list" and set(map(type, key.values)) == {str}}
-    return ({*recipe.constants, *recipe.linked(recipe.first)} - words) | _figures_of_first(recipe)
+    return {*recipe.constants, *recipe.linked(recipe.first)} - words
 
 
 def _figures_of_first(recipe: Recipe) -> set[str]:
