@@ -3,6 +3,7 @@
 
 import math
 import os
+import time
 
 import numpy as np
 import pytest
@@ -23,7 +24,8 @@ from hdconj.study._pictures import (  # noqa: E402
     parallel_picture,
     tooth_picture,
 )
-from hdconj.study._study import _ranks, dominated  # noqa: E402
+from hdconj.study._front import dominated  # noqa: E402
+from hdconj.study._study import _ranks  # noqa: E402
 
 HEAD = """
 [set]
@@ -348,6 +350,24 @@ def test_better_is_beyond_the_error():
     assert list(dominated(values, np.zeros((4, 2)))) == [False, True, True, False]
     assert list(dominated(values, np.full((4, 2), np.nan))) == [False, True, True, False]
     assert _ranks(np.array([1.0, 1.05, 1.3, 1.31]), np.full(4, 0.1)) == [1, 1, 3, 3]
+
+
+@pytest.mark.parametrize("objectives", [2, 3])
+def test_beaten_designs_are_those_that_one_beats(objectives):
+    """As the definition says, with ties, errors, and errors that are not known; and quickly of many designs."""
+    draws = np.random.default_rng(objectives)
+    for number in range(40):
+        values = draws.integers(0, 6, (50, objectives)) / 3 if number % 2 else draws.random((50, objectives))
+        errors = draws.random((50, objectives)) * draws.choice([0, 0.03, 1])
+        errors[draws.random(errors.shape) < 0.2] = np.nan
+        known = np.nan_to_num(errors)
+        beaten = [((values <= value).all(axis=1) & (values + known < value - error).any(axis=1)).any()
+                  for value, error in zip(values, known)]  # fmt: skip
+        assert list(dominated(values, errors)) == beaten
+    many = draws.random((30000, objectives))
+    begin = time.process_time()
+    assert 0 < (~dominated(many, np.zeros_like(many))).sum() < 1000
+    assert time.process_time() - begin < 10
 
 
 TWO = """

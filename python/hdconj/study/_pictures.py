@@ -15,7 +15,8 @@ import hdconj
 
 from .._files import write_whole
 from ._shards import made_folder
-from ._study import Study, dominated
+from ._front import dominated
+from ._study import Study
 
 GOOD, POOR, BEST = "#1f5fa8", "#b9c4d0", "#d0471f"
 _DPI = 140

@@ -16,6 +16,7 @@ import numpy.typing as npt
 from .._arguments import checked
 from .._files import write_whole
 from .._scene import Scene
+from ._front import dominated
 from ._keys import Value
 from ._read import load_recipe
 from ._recipe import Recipe
@@ -24,25 +25,6 @@ from ._store import Folder, refuse
 
 Bools = npt.NDArray[np.bool_]
 Floats = npt.NDArray[np.float64]
-
-
-def dominated(values: Floats, errors: Floats) -> Bools:
-    """Which designs another one beats: as good in every objective, better in one by more than the errors of both.
-
-    Parameters
-    ----------
-    values : (n, m) array
-        Objectives, all to be as small as possible.
-    errors : (n, m) array
-        Their errors; not a number counts as 0.
-    """
-    errors = np.nan_to_num(errors)
-    found = np.zeros(len(values), dtype=bool)
-    for i, (value, error) in enumerate(zip(values, errors)):
-        as_good = (values <= value).all(axis=1)
-        better = (values + errors < value - error).any(axis=1)
-        found[i] = bool((as_good & better).any())
-    return found
 
 
 class Study:
