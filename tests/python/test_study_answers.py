@@ -491,6 +491,16 @@ def test_a_refused_search_leaves_the_folder_as_it_was(search, tmp_path):
     assert len(search(text + limits.format(1), "nsga2", 4, tmp_path).frame) == 40
 
 
+@pytest.mark.parametrize("left", [0, 5, 60, 150])
+def test_a_search_goes_on_where_a_generation_is_damaged(search, tmp_path, left):
+    whole = search(HEAD + TWO, "nsga2", 3, tmp_path).frame
+    file = tmp_path / "asked" / "000001.npy"
+    content = file.read_bytes()
+    file.write_bytes(content[:left])
+    assert search(HEAD + TWO, "nsga2", 3, tmp_path).frame.equals(whole)
+    assert file.read_bytes() == content
+
+
 def test_another_search_is_refused_where_rows_are_lost(search, tmp_path):
     text, limits = HEAD + TWO + 'g = "min"\n', "[constraints]\nf = {{ max = {} }}\n"
     search(text + limits.format(1), "nsga2", 3, tmp_path)

@@ -202,11 +202,15 @@ def _file_of(place: Folder, generation: int) -> Path:
 
 
 def _is_stored(place: Folder, generation: int, units: Any) -> bool:
-    """Whether a generation was asked for before; then it must be the same."""
-    file = _file_of(place, generation)
-    if file.exists() and not np.array_equal(np.load(file), units):
+    """Whether a generation was asked for before; then it must be the same. A damaged file counts as none."""
+    try:
+        with open(_file_of(place, generation), "rb") as file:
+            before = np.lib.format.read_array(file)
+    except (FileNotFoundError, ValueError):
+        return False
+    if not np.array_equal(before, units):
         refuse([Fault(str(place.place), 0, "", "the search asks for other drives than before", "name another folder")])
-    return file.exists()
+    return True
 
 
 def _asked(place: Folder, generation: int, units: Any) -> Any:
