@@ -49,7 +49,7 @@ def run(scheduler):
 def sample(method, count, seed=1):
     return study.read_recipe(
         f"{HEAD}[vary]\na = {{ uniform = [2, 4] }}\nb = {{ normal = [1, 0.1] }}\n"
-        f'[sample]\nmethod = "{method}"\ncount = {count}\nseed = {seed}\n[figures]\na2 = "2 * a"'
+        f'[sample]\nmethod = "{method}"\ncount = {count}\nseed = {seed}\n[figures]\nab = "a * b"'
     )
 
 

@@ -61,8 +61,26 @@ BAD = [
     (
         FLANK,
         '"drive.flexspline_teeth" = { from = 190, to = 210 }',
-        "takes whole numbers only (write a whole number: add step = 1)",
+        "takes whole numbers only (write from = 190, to = 210, step = 1)",
     ),
+    *(
+        (FLANK, f"{FLANK}\n{keys}", f"takes whole numbers only (write {remedy}")
+        for keys, remedy in (
+            ('x = { normal = [5, 1] }\n"slices.count" = "x"', "round(x))"),
+            ('x = { from = 1, to = 3 }\n"slices.count" = "x"', "round(x))"),
+            ('x = { from = 1, to = 3, step = 0.25 }\n"slices.count" = "x"', "round(x))"),
+            ('"slices.count" = { list = [5, 5.5] }', "whole numbers)"),
+            ('"slices.count" = { from = 1, to = 3, step = 0.25 }', "from = 1, to = 3, step = 1)"),
+        )
+    ),
+    (
+        FLANK,
+        '"slices.count" = { normal = [5, 1] }',
+        'whole numbers only (let a name vary in its place, such as x, and write "slices.count" = "round(x)")',
+    ),
+    (FLANK, "wall = { from = 0.6, to = 0.8 }", 'wall: no link and no figure uses this name (write "flexspline.wall"'),
+    (FLANK, "walls = { from = 0.6, to = 0.8 }", '(write "flexspline.wall" if that key is meant, or remove it)'),
+    (FLANK, "x = { from = 0.6, to = 0.8 }", "uses this name (use it in a link or a figure, or remove it)"),
     (FLANK, '"flexspline.wall" = { normal = 0.7 }', "normal = 0.7 is not two numbers"),
     (FLANK, '"flexspline.wall" = { normal = [0.7, 0] }', "the standard deviation 0.0 is not above 0"),
     (FLANK, '"flexspline.wall" = { normal = [0.7, 0.1], limits = [0.8, 0.6] }', "the limits [0.8, 0.6] are empty"),
@@ -271,8 +289,34 @@ def test_a_link_that_is_whole_makes_a_count():
     assert (scene["slices"]["count"], scene["drive"]["flexspline_teeth"]) == (3, 200)
 
 
+def test_whole_numbers_may_have_a_decimal_point():
+    """As those of links, which are numbers of floating point; a remedy is followed here."""
+    for keys in (
+        '"slices.count" = { list = [5.0, 7.0] }', '"slices.count" = { from = 1, to = 5, step = 2.0 }',
+        '"slices.count" = { from = 1, to = 5, step = 1 }', 'x = { normal = [5, 1] }\n"slices.count" = "round(x)"',
+    ):  # fmt: skip
+        good = study.read_recipe(GOOD.replace(FLANK, keys))
+        assert good.scene_of(good.linked(good.first)).to_dict()["slices"]["count"] in (3, 5)
+
+
+def test_points_of_a_range_are_decimal_numbers():
+    """They are those that one writes, and none is beyond the end, which a key may not take."""
+    for law, points in (
+        ("0.3, to = 1.5, step = 0.2", [0.3, 0.5, 0.7, 0.9, 1.1, 1.3, 1.5]),
+        ("0, to = 0.3, step = 0.1", [0, 0.1, 0.2, 0.3]),
+        ("0, to = 1, count = 11", [i / 10 for i in range(11)]),
+        ("0, to = 0.8999999999999999, step = 0.3", [0, 0.3, 0.6, 0.8999999999999999]),
+        ("2, to = 7, step = 2", [2, 4, 6]),
+        ("-1e-3, to = 1e-3, step = 1e-3", [-1e-3, 0, 1e-3]),
+        ("1e300, to = 2e300, step = 5e299", [1e300, 1.5e300, 2e300]),
+    ):
+        text = GOOD.replace(FLANK, f"{FLANK}\nx = {{ from = {law} }}").replace("land_width", "land_width + x")
+        assert list(study.read_recipe(text).keys[1].values) == points, law
+
+
 def test_large_numbers_are_numbers():
-    good = study.read_recipe(GOOD.replace(FLANK, FLANK + "\nx = { from = 0, to = 100000000000000000000 }"))
+    text = GOOD.replace(FLANK, FLANK + "\nx = { from = 0, to = 100000000000000000000 }")
+    good = study.read_recipe(text.replace("solve.land_width", "solve.land_width + x"))
     assert good.first["x"] == 5e19
 
 

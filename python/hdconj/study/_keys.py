@@ -4,10 +4,12 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any, Union
 
 import numpy as np
@@ -35,6 +37,7 @@ _GRADES = {
     10: (40, 48, 58, 70, 84, 100, 120, 140, 160, 185, 210, 230, 250),
     11: (60, 75, 90, 110, 130, 160, 190, 220, 250, 290, 320, 360, 400),
 }
+_BETWEEN = 0.6180339887  # a part of a range that makes a whole number of few ranges
 _TINY = 2.0**-53  # a number from 0 to 1 keeps this far from both
 
 
@@ -106,7 +109,13 @@ class Key:
         """Values that the scene's schema must take."""
         if self.law == "list":
             return self.values
-        return (self.middle, self.value(0.0), self.value(1.0)) if self.law != "normal" else (self.middle,)
+        ends = () if self.law == "normal" else (self.value(0.0), self.value(1.0))
+        return (self.middle, *ends, *self.values[1:2])
+
+    @property
+    def between(self) -> tuple[Value, ...]:
+        """A value that is whole only where all are, but for lists."""
+        return () if self.values else (self.value(_BETWEEN),)
 
 
 def _pair(spec: Mapping[str, Any], name: str, told: Callable[[str, str], None]) -> tuple[float, float] | None:
@@ -140,15 +149,28 @@ def _range(path: str, spec: Mapping[str, Any], told: Callable[[str, str], None])
             return None
         if count is not None:
             told("both step and count", "remove one of them")
-        points = tuple(low + i * step for i in range(int((high - low) / step * (1 + 1e-12)) + 1))
-        return Key(path, "from", (float(low), float(high), float(step)), points)
+        count = int((high - low) / step * (1 + 1e-12)) + 1
+        return Key(path, "from", (float(low), float(high), float(step)), _points(low, high, step, count))
     if count is None:
         return Key(path, "from", (float(low), float(high)))
     if not isinstance(count, int) or isinstance(count, bool) or not 2 <= count <= MOST:
         told(f"count = {written(count)} makes no grid", f"write a whole number from 2 to {MOST}")
         return None
-    ends = float(low), float(high)
-    return Key(path, "from", ends, tuple(np.linspace(*ends, count).tolist()))
+    return Key(path, "from", (float(low), float(high)), _points(float(low), float(high), None, count))
+
+
+def _points(low: float, high: float, step: float | None, count: int) -> tuple[float, ...]:
+    """Points from low on by steps, or even ones up to high. As decimal numbers, rounded once: 0.3 + 6 x 0.2 is 1.5.
+
+    They are whole numbers where low and step are, and the last one is not above high.
+    """
+    if isinstance(low, int) and isinstance(step, int):
+        return tuple(range(low, low + count * step, step))
+    begin, end, width = (Fraction(repr(number)) for number in (low, high, 0 if step is None else step))
+    parts = count - 1 if step is None else 1
+    scale = math.lcm(begin.denominator, end.denominator, width.denominator)
+    first, over = int(begin * scale), int((width or end - begin) * scale)
+    return tuple(min((first * parts + i * over) / (scale * parts), float(high)) for i in range(count))
 
 
 def _tolerance(path: str, spec: Mapping[str, Any], told: Callable[[str, str], None]) -> Key | None:

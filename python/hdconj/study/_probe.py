@@ -6,12 +6,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import replace
+from difflib import get_close_matches
 from typing import Any
 
 from .._errors import Fault, NumericalError
 from .._scene import Scene
 from ._expression import Expression
-from ._faults import near, written
+from ._faults import near
 from ._keys import Key, Value
 from ._options import KEYS, judged, single
 from ._recipe import Recipe, flat
@@ -39,7 +40,7 @@ def probe(reader: Reader, scene: Scene, recipe: Recipe) -> None:
         line = reader.lines.get(f"set.{fault.path}", reader.lines.get(f"scene.{fault.path}", 0))
         reader.faults.append(fault._replace(path=place + fault.path, line=line))
     for key in recipe.keys:
-        for value in key.probes:
+        for value in (*key.probes, *key.between):
             values = {**recipe.first, key.path: value}
             with suppress(NumericalError):  # a link without a value is a row of its own
                 values = recipe.linked(values)
@@ -90,23 +91,56 @@ def settled(recipe: Recipe) -> Recipe:
     return replace(recipe, scene=scene, verbs=tuple(verbs))
 
 
+def refuse_unused(reader: Reader, recipe: Recipe, base: Mapping[str, Any]) -> None:
+    """A name that no link and no figure uses changes nothing: most often a key of the scene is meant."""
+    if any(fault.path.startswith(("vary", "figures")) for fault in reader.faults):
+        return  # what uses it may be one of these
+    used = {name for _, expression in (*recipe.links, *recipe.figures) for name in expression.names}
+    ends = {path.rpartition(".")[2]: path for path in base}
+    for key in recipe.keys:
+        if "." not in key.path and key.path not in used:
+            close = get_close_matches(key.path, ends, 1, 0.6)
+            usual = "use it in a link or a figure, or remove it"
+            remedy = f'write "{ends[close[0]]}" if that key is meant, or remove it' if close else usual
+            reader.told(f"vary.{key.path}", "no link and no figure uses this name", remedy)
+
+
 def _schema_fault(reader: Reader, fault: Fault, key: Key, values: Mapping[str, Value], recipe: Recipe) -> None:
     """Takes over a fault that holds whatever the other keys are; others are drives that cannot be made."""
     of_key = fault.path == key.path or (fault.kind == "unknown" and key.path.startswith(f"{fault.path}."))
     if fault.kind == "other" or not (of_key or fault.path in recipe.varied):
         return
-    value = values[key.path]
-    whole = of_key and isinstance(value, float) and value.is_integer()
-    if whole and _takes(recipe.scene_of({key.path: int(value)}), key.path):
-        fault = fault._replace(reason="takes whole numbers only", remedy="write a whole number: add step = 1")
-    link = dict(recipe.links).get(fault.path)
-    linked = values.get(fault.path)
-    if link and isinstance(linked, float) and _takes(recipe.scene_of({fault.path: round(linked)}), fault.path):
-        remedy = f"write round({link.text})"
-        fault = fault._replace(reason="takes whole numbers only", remedy=remedy, value=written(linked))
+    given = values.get(fault.path, fault.value)
+    if _wants_whole(fault.path, given, recipe):
+        reason, remedy = "takes whole numbers only", _whole_remedy(fault.path, recipe)
+    elif values[key.path] in key.between:
+        return  # a drive that cannot be made, as others of the range can
+    else:
+        reason, remedy, given = fault.reason, fault.remedy, values[key.path] if of_key else fault.value
     place = f"vary.{key.path if of_key else fault.path}"
-    if not any(known.path == place and known.reason == fault.reason for known in reader.faults):
-        reader.told(place, fault.reason, fault.remedy, value if of_key else fault.value)
+    if not any(known.path == place and known.reason == reason for known in reader.faults):
+        reader.told(place, reason, remedy, given)
+
+
+def _wants_whole(path: str, value: object, recipe: Recipe) -> bool:
+    """Whether a key refuses a value because it is not whole."""
+    if not isinstance(value, float) or value.is_integer():
+        return False
+    near_it = (round(value) + part for part in (0, 0.25, -0.25))
+    return [_takes(recipe.scene_of({path: each}), path) for each in near_it] == [True, False, False]
+
+
+def _whole_remedy(path: str, recipe: Recipe) -> str:
+    """What to write for a key that takes whole numbers only."""
+    if link := dict(recipe.links).get(path):
+        return f"write round({link.text})"
+    key = next(key for key in recipe.keys if key.path == path)
+    if key.law == "list":
+        return "write whole numbers"
+    if key.is_random:
+        return f'let a name vary in its place, such as x, and write "{path}" = "round(x)"'
+    low, high, step = map(round, (*key.numbers, 1)[:3])
+    return f"write from = {low}, to = {max(high, low + 1)}, step = {max(step, 1)}"
 
 
 def _takes(scene: Scene, path: str) -> bool:

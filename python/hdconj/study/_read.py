@@ -13,7 +13,7 @@ from .._scene import Scene
 from ._data_files import contents
 from ._faults import fault_at, lines_of, near, refuse
 from ._keys import MOST, Key, Value
-from ._probe import ask_names, ask_verbs, probe, refuse_overridden, settled
+from ._probe import ask_names, ask_verbs, probe, refuse_overridden, refuse_unused, settled
 from ._recipe import Recipe, flat
 from ._sample import METHODS, sample_count
 from ._tables import Reader
@@ -109,6 +109,7 @@ def _read_tables(reader: Reader) -> Recipe:
     refuse_overridden(reader, recipe)
     if base := _tables_of(scene):
         ask_names(reader, links, {**base, **{key.path: _sort_of(key) for key in keys}})
+        refuse_unused(reader, recipe, base)
     ask_verbs(reader, recipe)
     return recipe
 

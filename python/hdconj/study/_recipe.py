@@ -89,10 +89,8 @@ class Recipe:
         return {**values, **{path: known[path] for path, _ in self.links}}
 
     def scene_of(self, linked: Mapping[str, Value]) -> Scene:
-        """The scene of a drive; names without a dot are the study's own, and whole values of links may be counts."""
-        links = {path for path, _ in self.links}
-        given = {path: value for path, value in linked.items() if "." in path}
-        return self.scene.with_({path: _whole(value) if path in links else value for path, value in given.items()})
+        """The scene of a drive; names without a dot are the study's own, and whole values may be counts."""
+        return self.scene.with_({path: _whole(value) for path, value in linked.items() if "." in path})
 
     @cached_property
     def varied(self) -> frozenset[str]:
