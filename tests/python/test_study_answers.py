@@ -19,6 +19,7 @@ from hdconj.study._expression import Expression  # noqa: E402
 from hdconj.study._optimise import Search  # noqa: E402
 from hdconj.study._pictures import (  # noqa: E402
     draw_all,
+    front_picture,
     indices_picture,
     keys_picture,
     parallel_picture,
@@ -582,8 +583,20 @@ def test_survivors_are_those_of_the_study_as_it_is(scheduler, tmp_path):
     assert more.frame["area"].max() > few.frame["area"].max()
     assert more.best(1)["area"][0] == more.frame["area"].max()
     least = run(8, 2, "min")
-    assert least.best(5)["area"].tolist() == sorted(least.frame["area"])[:2]
-    assert least.best()["area_error"].notna().all()
+    assert least.best(5)["area"].tolist() == sorted(least.frame["area"])[:5]
+    assert least.best(5)["area_error"].notna().tolist() == [True, True, False, False, False]
+
+
+def test_all_of_the_best_are_listed_and_drawn(search, tmp_path):
+    """Not the survivors alone, which are computed again."""
+    text = HEAD + "survivors = 2\n" + TWO.replace('"min"', '"min"\ng = "min"\nland = "max"')
+    text = text.replace("[objectives]", 'land = "solve.land_width"\n[objectives]')
+    found = search(text, "random", 2, tmp_path)
+    best = found.best(100)
+    assert len(best) > 2
+    assert len(list((tmp_path / "pareto").iterdir())) == len(best)
+    (beaten_by_none,) = (line for line in front_picture(found).axes[0].lines if line.get_label() == "beaten by none")
+    assert len(beaten_by_none.get_xdata()) == len(best)
 
 
 SLICE = """

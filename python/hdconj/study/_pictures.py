@@ -15,7 +15,6 @@ import hdconj
 
 from .._files import write_whole
 from ._shards import made_folder
-from ._front import dominated
 from ._study import Study
 
 GOOD, POOR, BEST = "#1f5fa8", "#b9c4d0", "#d0471f"
@@ -99,8 +98,7 @@ def front_picture(study: Study) -> Any:
         pane.set_axis_off()
     good = study.frame[study.feasible()]
     poor = study.frame[~study.feasible()]
-    values, errors = study.objectives(good)
-    front = good[~dominated(values, errors)]
+    front = study.best(max(len(good), 1))
     for (a, b), pane in zip(pairs, panes.flat):
         pane.plot(poor[a], poor[b], ".", ms=3, color=POOR, label="breaks a constraint" if len(poor) else None)
         pane.plot(good[a], good[b], ".", ms=3, color=GOOD, label="keeps all constraints")

@@ -129,13 +129,13 @@ class Study:
         count : int
             How many at most.
         again : bool
-            Take the figures of survivors from their second computation, with errors.
+            Take the figures of survivors from their second computation, with errors; the others have none.
         """
         if count < 1:
             raise refuse("count", f"{count} is less than one", "write a whole number from 1")
         if not self.recipe.objectives:
             raise refuse(self.folder.place, "nothing says what is better", "write [objectives] into its study.toml")
-        rows = self._survivors() if again and self.recipe.survivors else self.frame
+        rows = self._with_survivors() if again and self.recipe.survivors else self.frame
         rows = rows[self.feasible(rows)]
         rows = rows.drop_duplicates([key.path for key in self.recipe.keys])  # lists and steps make a drive again
         values, errors = self.objectives(rows)
@@ -151,16 +151,16 @@ class Study:
         chosen.insert(0, "rank", _ranks(values[order, 0], np.nan_to_num(errors[order, 0])))
         return chosen
 
-    def _survivors(self) -> Any:
-        """The drives that survive as the study is now, each as it was computed last."""
+    def _with_survivors(self) -> Any:
+        """All rows; those of the drives that survive as the study is now as they were computed last, with errors."""
         import pandas
 
-        first = self.best(self.recipe.survivors, again=False).drop(columns="rank", errors="ignore")
+        first = self.best(self.recipe.survivors, again=False)["sample"]
         second = self._read("survivors")
         if second.empty:  # none yet, or nothing to compute again
             return self.frame
-        second = second[second["sample"].isin(first["sample"])]
-        return pandas.concat([second, first[~first["sample"].isin(second["sample"])]]).sort_values("sample")
+        second = second[second["sample"].isin(first)]
+        return pandas.concat([second, self.frame[~self.frame["sample"].isin(second["sample"])]]).sort_values("sample")
 
     def values(self, row: Mapping[str, Any]) -> dict[str, Value]:
         """Values of all keys of a row, links included."""
