@@ -3,6 +3,7 @@
 
 import os
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -11,7 +12,7 @@ import hdconj
 
 study = pytest.importorskip("hdconj.study")
 pytest.importorskip("distributed")
-from hdconj.study import _drive, _store  # noqa: E402
+from hdconj.study import _drive, _shards, _store  # noqa: E402
 from hdconj.study.__main__ import _parser, main  # noqa: E402
 from hdconj.study._expression import Expression  # noqa: E402
 
@@ -31,7 +32,7 @@ FLANK = '"flexspline.wall" = { from = 0.6, to = 0.8 }'
 BAD = [
     ("[vary]", "[vary", "no TOML"),
     ("[sample]", "[sampel]", "sampel: unknown table (write sample)"),
-    ("[sample]", "scene = 3\n[sample]", "vary.scene = 3: a single value does not vary (write it under [set])"),
+    ("[sample]", "scene = 3\n[sample]", "vary.scene = 3: a single value does not vary (write scene = "),
     ("\n[vary]", 'scene = "nowhere.toml"\n[vary]', "there is no such file"),
     ("\n[vary]", "scene = 3\n[vary]", "scene = 3: is no file name"),
     ("[sample]", '[set]\n"flexspline.wal" = 1\n[sample]', "scene flexspline.wal = 1: unknown key (write wall)"),
@@ -54,7 +55,9 @@ BAD = [
     ),
     (FLANK, '"flexspline.wall" = { from = 0.6, to = 0.8, list = [1] }', "several laws at once"),
     (FLANK, '"flexspline.wall" = { count = 3 }', "no law (write one of from and to, list, normal, uniform, nominal)"),
-    (FLANK, '"flexspline.wall" = 0.7', "a single value does not vary"),
+    (FLANK, '"flexspline.wall" = 0.7', "a single value does not vary (write it under [set])"),
+    (FLANK, "x = 3", 'vary.x = 3: a single value does not vary (write x = "3")'),
+    (FLANK, '"flexspline.wall" = [0.6, 0.7]', "is a list without its law (write { list = [0.6, 0.7] })"),
     (FLANK, '"flexspline.wall" = { list = [] }', "no list of values"),
     (FLANK, '"flexspline.wall" = { list = [0.7, "thin"] }', "= thin: text where a length belongs"),
     (FLANK, '"solver.kinematics" = { list = ["exact", "exactly"] }', "unknown word"),
@@ -192,6 +195,9 @@ BAD = [
     ("[figures]", "[figures]\na = 'contact.backlash'", "contact is not computed"),
     ("[figures]", "[figures]\na = '1 / 0'", "figures.a = 1 / 0: has no value: division by zero"),
     ("[figures]", "[figures]\na = 3", "figures.a = 3: no expression in quotes"),
+    ("[figures]", "[figures]\na = { value = '3', units = 'um' }", "unknown word units (write unit)"),
+    ("[figures]", "[figures]\na = { unit = 'um' }", "figures.a = { unit = \"um\" }: no expression in quotes"),
+    ("[figures]", "[figures]\na = { value = '3', unit = 1 }", "the unit is no text in quotes (write unit = "),
     ('[figures]\nland = "solve.land_width"', "", "no figure is wanted"),
     (
         "[figures]",
@@ -420,6 +426,11 @@ def test_a_figure_without_a_value_keeps_the_others():
     (["run", "STUDY", "-o", "STUDY"], "is a file (name a folder"),
     (["run", "STUDY", "-o", "out", "--jobs", "-1"], "--jobs = -1: is no number of processes (write 0"),
     (["run", "STUDY", "-o", "out", "--shard-seconds", "nan"], "--shard-seconds = nan: is no time"),
+    *(
+        (["run", "STUDY", "-o", "out", "--scheduler", address],
+         f"--scheduler = {address}: is no address of a scheduler (write tcp://HOST:PORT, such as tcp://host:8786)")
+        for address in ("bla", "no://bla:1", "tcp://bla")
+    ),
     (["best", "made", "-n", "-3"], "-n: -3 is less than one (write a whole number from 1)"),
     (["best", "made", "-n", "1", "--csv", "rows.csv", "--scene", "best.toml"], "nothing says what is better"),
 ])  # fmt: skip
@@ -467,6 +478,34 @@ def test_best_says_that_no_drive_keeps_the_constraints(tmp_path, capsys):
     assert "none of its drives keeps all constraints" in said.err
     assert not said.out
     assert not (tmp_path / "best.toml").exists()
+
+
+def test_a_closed_pipe_ends_a_command_quietly(tmp_path):
+    """Whoever reads has enough, as head -1 has."""
+    (tmp_path / "study.toml").write_text(GOOD)
+    with _store.Folder(tmp_path / "made").locked():
+        _store.Folder(tmp_path / "made").begin(study.load_recipe(tmp_path / "study.toml"), "run")
+    reader, writer = os.pipe()
+    os.close(reader)
+    words = [sys.executable, "-m", "hdconj.study", "status", tmp_path / "made"]
+    done = subprocess.run(words, stdout=writer, stderr=subprocess.PIPE, text=True)
+    os.close(writer)
+    assert (done.returncode, done.stderr) == (1, "")
+
+
+@pytest.mark.parametrize("figure, why", [
+    ("sqrt(solve.land_width - 9)", "has a value of each objective"), ("solve.land_width", "keeps all constraints"),
+])  # fmt: skip
+def test_why_a_study_has_no_best_drive(tmp_path, capsys, figure, why):
+    text = GOOD.replace("count = 8", "count = 1").replace("solve.land_width", figure)
+    good = study.read_recipe(text + '[objectives]\nland = "max"\n[constraints]\nland = { max = 0.0 }')
+    with _store.Folder(tmp_path).locked():
+        about = _store.Folder(tmp_path).begin(good, "run")
+        own = {word: about[word] for word in _shards.IDENTITY}
+        row = _drive.row_of(good, (0, good.first), False)[0]
+        _shards.write_shard(tmp_path / "rows", [row], _shards.schema_of(good), {"units": {}, "seconds": 1, **own})
+    assert main(["best", str(tmp_path)]) == 1
+    assert capsys.readouterr().err == f"hdconj study: {tmp_path}: none of its drives {why}\n"
 
 
 @pytest.mark.parametrize("about", ["{}", "[1]", "3", "null", '{"kind": 3}', "{"])

@@ -11,7 +11,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-OPTIONS = {"jobs": "--jobs", "shard_seconds": "--shard-seconds", "count": "-n"}  # of arguments of the functions
+# Of arguments of the functions.
+OPTIONS = {"jobs": "--jobs", "scheduler": "--scheduler", "shard_seconds": "--shard-seconds", "count": "-n"}
 PACKAGES = "pip install 'hdconj[study]'"
 
 
@@ -110,7 +111,10 @@ def print_best(study: Any, options: argparse.Namespace) -> bool:
 
 def _say_none(study: Any) -> bool:
     """Says why a study has no best drive."""
-    why = "keeps all constraints" if study.recipe.constraints else "can be made"
+    rows = study.frame
+    lacks_figures = rows["code"].isin(("", "figure")).any()
+    unmade = "has a value of each objective" if lacks_figures else "can be made"
+    why = "keeps all constraints" if study.made(rows).any() else unmade
     print(f"hdconj study: {study.folder.place}: none of its drives {why}", file=sys.stderr)
     return False
 
@@ -191,7 +195,12 @@ def main(words: Sequence[str] | None = None) -> int:
     """Runs the command and returns its exit status."""
     options = _parser().parse_args(words)
     try:
-        return _status(options)
+        status = _status(options)
+        sys.stdout.flush()
+        return status
+    except BrokenPipeError:  # what reads the output has enough; Python itself flushes once more
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
     except KeyboardInterrupt:
         print("hdconj study: stopped; run again to resume", file=sys.stderr)
         return 1
@@ -218,6 +227,8 @@ def _status(options: argparse.Namespace) -> int:
         said = str(error) if told == error.faults else fault_text(told)
         print(f"hdconj study: {count} fault{'s' if count > 1 else ''} in {options.what}\n{said}", file=sys.stderr)
         return 2
+    except BrokenPipeError:
+        raise
     except (EngineLost, FileError, OSError) as error:
         print(f"hdconj study: {_failed(error, options)}", file=sys.stderr)
         return 1

@@ -65,6 +65,15 @@ def _module(name: str) -> Any:
     return import_module(name)
 
 
+def is_address(text: str) -> bool:
+    """Whether a text is an address of a scheduler, whether one answers there or not."""
+    try:
+        _module("distributed.comm").get_address_host_port(text)
+    except (TypeError, ValueError):
+        return False
+    return True
+
+
 @contextmanager
 def engine(jobs: int = 0, scheduler: str | None = None) -> Iterator[Any]:
     """A client of Dask distributed.

@@ -126,7 +126,7 @@ def optimise(
         Counts of the drives that were computed now. The folder holds ``best.toml`` and the scenes of the best
         drives in ``pareto``.
     """
-    refuse_machine(jobs, shard_seconds)
+    refuse_machine(jobs, shard_seconds, scheduler)
     recipe = study if isinstance(study, Recipe) else load_recipe(study)
     _refuse_unfit(recipe)
     place, told = Folder(folder), Told()

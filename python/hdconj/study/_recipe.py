@@ -105,7 +105,8 @@ class Recipe:
     @property
     def units(self) -> dict[str, str]:
         """Units that the study gives to its figures."""
-        return {name: item["unit"] for name, item in self.tables["figures"].items() if isinstance(item, dict)}
+        figures = self.tables["figures"].items()
+        return {name: item["unit"] for name, item in figures if isinstance(item, dict) and "unit" in item}
 
     @cached_property
     def files(self) -> dict[str, bytes]:

@@ -12,7 +12,7 @@ from typing import Any
 from .._arguments import checked
 from .._errors import Fault
 from ._drive import Row, Sample, careful_rows, estimates_errors, figures_of
-from ._engine import SHARD_SECONDS, compute_rows, engine
+from ._engine import SHARD_SECONDS, compute_rows, engine, is_address
 from ._faults import fault_at, lines_of, near, refuse
 from ._options import known_options
 from ._progress import Told
@@ -118,7 +118,7 @@ def run(
     EngineLost, FileError
         The scheduler went away, or the disk is full: run again to resume.
     """
-    refuse_machine(jobs, shard_seconds)
+    refuse_machine(jobs, shard_seconds, scheduler)
     recipe = study if isinstance(study, Recipe) else load_recipe(study)
     place = Folder(folder)
     with place.locked():
@@ -147,9 +147,12 @@ class _Samples(Sequence[Sample]):
         return self.numbers[place], self.recipe.values(self.numbers[place])
 
 
-def refuse_machine(jobs: int, shard_seconds: float) -> None:
-    """Refuses numbers of processes and seconds that cannot be."""
+def refuse_machine(jobs: int, shard_seconds: float, scheduler: str | None) -> None:
+    """Refuses numbers of processes and seconds that cannot be, and what is no address."""
     faults = []
+    if scheduler is not None and not is_address(scheduler):
+        reason = "is no address of a scheduler"
+        faults.append(Fault("scheduler", 0, scheduler, reason, "write tcp://HOST:PORT, such as tcp://host:8786"))
     if jobs < 0:
         remedy = "write 0 for all cores, or a number from 1"
         faults.append(Fault("jobs", 0, str(jobs), "is no number of processes", remedy))

@@ -144,8 +144,12 @@ class Reader:
                 key = read_key(path, spec, lambda reason, remedy: self.told(f"vary.{path}", reason, remedy))
                 if key is not None:
                     keys.append(key)
+            elif isinstance(spec, list):
+                self.told(f"vary.{path}", "is a list without its law", f"write {{ list = {written(spec)} }}", spec)
             else:
-                self.told(f"vary.{path}", "a single value does not vary", "write it under [set]", spec)
+                link = f'write {path} = "{written(spec)}"' if is_number(spec) else "remove it"
+                remedy = "write it under [set]" if "." in path else link
+                self.told(f"vary.{path}", "a single value does not vary", remedy, spec)
         return keys, links
 
     def _twice(self, path: str) -> None:
@@ -214,8 +218,8 @@ class Reader:
         if not table:
             self.told("figures", "no figure is wanted", 'write [figures] and a name, such as land = "solve.land_width"')
         for name, text in table.items():
-            if isinstance(text, dict) and set(text) == {"value", "unit"} and isinstance(text["unit"], str):
-                text = text["value"]
+            if isinstance(text, dict):
+                text = self._value_with_unit(f"figures.{name}", text)
             expression = self.expression(f"figures.{name}", text)
             if name in _TAKEN:
                 self.told(f"figures.{name}", "the rows have a column of this name already", "write another name")
@@ -232,6 +236,14 @@ class Reader:
             if expression:
                 found.append((name, expression))
         return found
+
+    def _value_with_unit(self, path: str, item: Mapping[str, Any]) -> object:
+        """The expression of a figure that has a unit."""
+        for word in set(item) - {"value", "unit"}:
+            self.told(path, f"unknown word {word}", near(word, ("value", "unit")), item)
+        if not isinstance(item.get("unit", ""), str):
+            self.told(path, "the unit is no text in quotes", 'write unit = "um"', item)
+        return item.get("value", item)
 
     def columns(self, paths: Iterable[str], figures: list[str]) -> None:
         """Rows have one column for each key and link, two for each figure, and some of their own."""
