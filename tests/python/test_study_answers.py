@@ -20,6 +20,7 @@ from hdconj.study._optimise import Search  # noqa: E402
 from hdconj.study._pictures import (  # noqa: E402
     draw_all,
     front_picture,
+    histogram_picture,
     indices_picture,
     keys_picture,
     parallel_picture,
@@ -133,13 +134,13 @@ def test_a_list_of_numbers_and_words(run, tmp_path, values):
             *map(type, found.recipe.values(number).values())
         ]
     assert [file.name for file in draw_all(found)] == ["keys.png", "parallel.png", "tooth.png"]
-    words, numbers = keys_picture(found).axes[:2]
+    words, numbers = keys_picture(found).axes[2:]
     assert [label.get_text() for label in words.get_xticklabels()] == ["0.7", "tangent"]
     assert {x for line in words.lines for x in line.get_xdata()} == {0, 1}
     assert {x for line in numbers.lines for x in line.get_xdata()} == {1, 2.5}
     assert parallel_picture(found).axes[0].get_title().startswith("the best 4 drives; thick")
     found.frame = found.frame[:1]
-    assert parallel_picture(found).axes[0].get_title() == "the best drive; axes: all drives"
+    assert parallel_picture(found).axes[0].get_title() == "the best drive; axes: all drives with a result"
 
 
 def test_a_study_of_words_has_pictures(run, tmp_path):
@@ -268,6 +269,40 @@ def test_yield_and_pictures(run, tmp_path):
     share, low, high = found.yield_of()
     assert low < share < high and share == pytest.approx(math.erf(1 / math.sqrt(2)), abs=0.02)
     assert [file.name for file in draw_all(found)] == ["keys.png", "histograms.png"]
+
+
+THREE = """
+[vary]
+x = { normal = [0.5, 0.1] }
+"drive.name" = { list = ["a rather long word", "another one"] }
+[sample]
+count = 16
+[figures]
+f = "x"
+g = "1 - x"
+a_long_name_of_a_figure_of_the_study = "x ** 2"
+same = "3.0"
+[constraints]
+f = { max = 0.5 }
+[objectives]
+f = "min"
+g = "min"
+a_long_name_of_a_figure_of_the_study = "min"
+"""
+
+
+def test_what_pictures_show(run, tmp_path):
+    """Words once, colours with their meaning, long names folded, no line over three objectives, no wide constant."""
+    found = run(THREE, tmp_path)
+    figure = keys_picture(found)
+    words = [[label.get_text() for label in pane.get_xticklabels()] for pane in figure.axes[1::2]]
+    assert words == [["", ""]] * 3 + [["a rather long word", "another one"]]
+    colours = {text.get_text() for text in figure.axes[1].get_legend().get_texts()}
+    assert colours == {"breaks a constraint", "keeps all constraints"}
+    assert figure.axes[4].get_ylabel() == "a_long_name_of_a_\nfigure_of_the_study"
+    assert all(line.get_linestyle() == "None" for pane in front_picture(found).axes for line in pane.lines)
+    constant = histogram_picture(found).axes[3]
+    assert not constant.patches and list(constant.lines[0].get_xdata()) == [3, 3]
 
 
 def test_indices_of_a_sum(run, tmp_path):

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -24,6 +25,11 @@ _DPI = 140
 def _label(study: Study, name: str) -> str:
     unit = study.units.get(name, "")
     return f"{name} [{unit}]" if unit not in ("", "1") else name
+
+
+def _folded(label: str) -> str:
+    """A long name in several lines, each of which ends with a part of it."""
+    return re.sub(r"(\S{16,}?_)(?=\S)", r"\1\n", label)
 
 
 def _figure(columns: int, rows: int) -> tuple[Any, Any]:
@@ -52,16 +58,20 @@ def keys_picture(study: Study) -> Any:
     for row, name in enumerate(names):
         for column, key in enumerate(keys):
             pane, places = panes[row, column], study.frame[key]
+            is_last = row == len(names) - 1
             if key not in numeric:
                 places, words = places.astype(str).factorize(sort=True)
-                pane.set_xticks(range(len(words)), words, fontsize=7, rotation=90 if len(words) > 3 else 0)
+                shown = words if is_last else [""] * len(words)
+                pane.set_xticks(range(len(words)), shown, fontsize=7, rotation=90 if len(words) > 3 else 0)
                 pane.margins(x=0.5 / len(words))
-            for mask, colour in ((~good, POOR), (good, GOOD)):
-                pane.plot(places[mask], study.frame[name][mask], ".", ms=3, color=colour)
+            for mask, colour, meaning in ((~good, POOR, "breaks a constraint"), (good, GOOD, "keeps all constraints")):
+                pane.plot(places[mask], study.frame[name][mask], ".", ms=3, color=colour, label=meaning)
             if column == 0:
-                pane.set_ylabel(_label(study, name))
-            if row == len(names) - 1:
+                pane.set_ylabel(_folded(_label(study, name)))
+            if is_last:
                 pane.set_xlabel(key)
+    if study.made(study.frame)[~good].any():
+        panes[0, -1].legend(fontsize=7, markerscale=2, ncols=2, loc="lower right", bbox_to_anchor=(1, 1))
     return figure
 
 
@@ -75,7 +85,13 @@ def histogram_picture(study: Study) -> Any:
         pane.set_axis_off()
     for name, pane in zip(names, panes.flat):
         values = study.frame[name][study.independent()]  # a drive that cannot be made keeps no limits
-        pane.hist(values.dropna(), bins="sturges", color=GOOD, edgecolor="white", linewidth=0.5)
+        found = values.dropna()
+        if found.nunique() == 1:
+            pane.plot(2 * [found.iloc[0]], [0, len(found)], color=GOOD, lw=4, solid_capstyle="butt")
+            pane.set_xticks([found.iloc[0]])
+            pane.set_ylim(bottom=0)
+        else:
+            pane.hist(found, bins="sturges", color=GOOD, edgecolor="white", linewidth=0.5)
         pane.set_xlabel(_label(study, name))
         pane.set_ylabel("drives")
         low, high = study.recipe.constraints.get(name, (-np.inf, np.inf))
@@ -103,7 +119,8 @@ def front_picture(study: Study) -> Any:
         pane.plot(poor[a], poor[b], ".", ms=3, color=POOR, label="breaks a constraint" if len(poor) else None)
         pane.plot(good[a], good[b], ".", ms=3, color=GOOD, label="keeps all constraints")
         ordered = front.sort_values(a)
-        pane.plot(ordered[a], ordered[b], "o-", ms=4, lw=0.8, color=BEST, label="beaten by none")
+        line = "o-" if len(names) == 2 else "o"  # of more objectives no line joins neighbours
+        pane.plot(ordered[a], ordered[b], line, ms=4, lw=0.8, color=BEST, label="beaten by none")
         for name, axis in ((a, "x"), (b, "y")):
             span = good[name]
             if len(span) and np.ptp(span) > 0:
@@ -135,7 +152,7 @@ def parallel_picture(study: Study) -> Any:
     pane.set_yticks([])
     pane.set_ylim(-0.1, 1.1)
     several = f"the best {len(best)} drives; thick: the first of the list"
-    pane.set_title(f"{several if len(best) > 1 else 'the best drive'}; axes: all drives", fontsize=9)
+    pane.set_title(f"{several if len(best) > 1 else 'the best drive'}; axes: all drives with a result", fontsize=9)
     for i, column in enumerate(columns):
         pane.axvline(i, color="0.8", lw=0.6, zorder=0)
         for end, place in ((low[column], -0.04), (low[column] + span[column], 1.04)):
