@@ -28,7 +28,7 @@ def _named(tables: Mapping[str, Any], before: str = "") -> Iterator[tuple[str, s
 def contents(scene: Scene, keys: tuple[Key, ...]) -> dict[str, bytes]:
     """What the files hold that the drives of a study read, under their names in the scene and in lists of [vary].
 
-    A file that cannot be read is left out: the drives that name it are refused, or are rows with that failure.
+    A file that cannot be read is left out: a study that names it is refused before its first drive.
     """
     names = [name for _, name in _named(scene.to_dict())]
     names += [str(value) for key in keys if key.path.endswith(".file") for value in key.values]

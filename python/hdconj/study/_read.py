@@ -58,15 +58,22 @@ def _tables_of(scene: Scene) -> dict[str, Any]:
         return {}
 
 
-def unread_curves(recipe: Recipe) -> list[Fault]:
-    """Faults of measured curves whose files cannot be read: a study is read also where they are not."""
+def unread_files(recipe: Recipe) -> list[Fault]:
+    """Faults of measured curves and of files in lists that cannot be read: a study is read also where they are not."""
     lines = lines_of(recipe.text)
-    return [
+    found = [
         fault_at(lines, f"compute.{verb}.measured", "cannot be read",
                  "name a CSV file, relative to the study's folder", options["measured"])
         for verb, options in recipe.verbs
         if "measured" in options and recipe.tables["compute"][verb]["measured"] not in recipe.measured
     ]  # fmt: skip
+    there = contents(recipe.scene, recipe.keys)
+    for key in recipe.keys:
+        for name in key.values if key.path.endswith(".file") else ():
+            if name not in there:
+                remedy = "name a CSV file, relative to the scene's file"
+                found.append(fault_at(lines, f"vary.{key.path}", "cannot be read", remedy, name))
+    return found
 
 
 def _read_tables(reader: Reader) -> Recipe:
@@ -138,7 +145,7 @@ def read_recipe(text: str, name: str = "text", folder: str | os.PathLike[str] = 
         refuse([Fault(name, 0, "", f"no TOML: {error}", "mend the line")])
     recipe = _read_tables(reader)
     if reader.faults:
-        refuse([*reader.faults, *unread_curves(recipe)])
+        refuse([*reader.faults, *unread_files(recipe)])
     return settled(recipe)
 
 

@@ -16,7 +16,7 @@ from ._engine import SHARD_SECONDS, compute_rows, engine, is_address
 from ._faults import fault_at, lines_of, near, refuse
 from ._options import known_options
 from ._progress import Told
-from ._read import load_recipe, unread_curves
+from ._read import load_recipe, unread_files
 from ._recipe import Recipe
 from ._shards import schema_of, write_shard
 from ._store import Folder
@@ -30,7 +30,7 @@ def first_drive(recipe: Recipe) -> tuple[Row, dict[str, str], float]:
     InputError
         A name under [figures] is no figure of the result, or a verb refuses its options.
     """
-    refuse(unread_curves(recipe))
+    refuse(unread_files(recipe))
     begin = time.perf_counter()
     rows, units = careful_rows(recipe, [(0, recipe.first)], recipe.errors)
     row = rows[0]
