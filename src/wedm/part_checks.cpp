@@ -92,9 +92,10 @@ WireFailures check_sections(WireFaces const& faces, std::vector<std::vector<char
         }
     }
     constexpr double margin = 1.01;  // of what is written, beyond the digits that are printed
+    std::string const limit_of_all = fmt::format("{:.3g}", margin * figures.middle_error);
     for (WireFailure& failure : failures) {
-        failure.set = fmt::format("wedm.surface_limit={:.3g}", margin * figures.middle_error);
-        failure.remedy = "to accept all sections write wedm.surface_limit" + failure.set.substr(failure.set.find('='));
+        failure.remedy = "to accept all sections write wedm.surface_limit = " + limit_of_all;
+        failure.set = "wedm.surface_limit=" + limit_of_all;
     }
     return failures;
 }
