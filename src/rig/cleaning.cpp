@@ -3,10 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace hdconj::rig {
 namespace {
+
+/// Standard deviation of independent noise: of what the values differ by from the middle of both neighbours.
+double deviation_from_runs(std::vector<double> const& values)
+{
+    double const of_difference = std::sqrt(1.5);
+    std::vector<double> differences;
+    for (std::size_t i = 1; i + 1 < values.size(); ++i)
+        differences.push_back((values[i] - std::midpoint(values[i - 1], values[i + 1])) / of_difference);
+    return deviation_of(std::move(differences));
+}
 
 /// Marks the values that leave the run of their neighbours.
 void mark_strays(std::vector<double> const& values, std::vector<bool>& stray)
@@ -23,7 +34,7 @@ void mark_strays(std::vector<double> const& values, std::vector<bool>& stray)
     std::vector<double> differences(values.size());
     for (std::size_t i = half; i + half < values.size(); ++i)
         differences[i] = values[i] - quantile(neighbours(i), 0.5);
-    double const usual = of_all * deviation_of(differences) + steps * smallest_step(values);
+    double const usual = of_all * deviation_from_runs(values) + steps * smallest_step(values);
     for (std::size_t i = half; i + half < values.size(); ++i) {
         if (std::abs(differences[i]) <= usual)
             continue;
