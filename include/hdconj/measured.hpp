@@ -85,12 +85,14 @@ inline constexpr double near_zero = 0.12;  ///< up to here the unloading branch 
 ///
 /// The load cycles are 0, T, 0, -T, 0 in any number, beginning anywhere. Readings far from their neighbours are left
 /// out first, and so is the torque about which the loop is symmetric, where it is far from zero. Where a part of the
-/// cycle is repeated, an even drift of the angle is found and taken out. The width of the loop is found for each cycle:
-/// a straight line through the samples of each unloading branch between no_load and near_zero is extended to zero
-/// torque. With fewer than three samples there, it goes through the two nearest to zero. Backlash is the jump between
-/// two parallel lines where a branch passes from one side to the other, at zero torque or, with friction, beyond it.
-/// The rest of the width is friction. Stiffness is found for each loading branch: stiffness_stages() of the angle over
-/// the torque, with negative branches turned round.
+/// cycle is repeated, an even drift of the angle is found and taken out. Backlash is the jump between two parallel
+/// curves where a branch passes from one side to the other, at zero torque or, with friction, beyond it; readings
+/// nearer than no_load to that torque may lie within the backlash and are left out. The width of the loop is found for
+/// each cycle: a curve through the samples of each unloading branch between no_load and near_zero is extended to zero
+/// torque. With fewer than three samples there, a line goes through the two nearest to zero. The curves are lines, or
+/// parabolas where these differ clearly; the difference beyond noise is in the error. The rest of the width is
+/// friction. Stiffness is found for each loading branch, where it is determined in all that have a bend:
+/// stiffness_stages() of the angle over the torque, with negative branches turned round.
 /// @throws InputError where the samples are no such loop: one sign only, no unloading, torque that falls with the angle
 [[nodiscard]] MeasuredStiffness measured_stiffness(MeasuredCurve const& curve);
 

@@ -15,7 +15,7 @@
 namespace hdconj {
 namespace {
 
-/// Points that a line of its own needs: two lie on a line whatever they are.
+/// Points that a line of its own needs, up to the bend: two lie on a line whatever they are.
 constexpr std::size_t least_points = 3;
 
 /// Sums over points from which any line through them follows: of twist and torque from their means, so that little
@@ -85,6 +85,8 @@ class Curve
     [[nodiscard]] Sums high(std::size_t split) const { return sums_.back().without(sums_[split]); }
     /// Whether lines through that many first and through the other points have slopes.
     [[nodiscard]] bool can_split(std::size_t split) const { return x_[0] < x_[split - 1] && x_[split] < x_[n_ - 1]; }
+    /// Whether a bend at @p twist leaves no more points to the second line than it needs.
+    [[nodiscard]] bool is_last_place(double twist) const { return twist >= x_[n_ - least_points]; }
 
     /// Sum of squares left by a line, or by two that meet; summed point by point, since a difference of sums would lose
     /// small ones.
@@ -148,11 +150,12 @@ Bend best_bend(Curve const& curve, std::size_t points)
             best = bend->squares < best.squares ? *bend : best;
         }
     };
-    for (std::size_t split = least_points; split + least_points <= points; ++split) {
-        if (curve.can_split(split)) {
+    for (std::size_t split = least_points - 1; split + least_points <= points; ++split) {
+        if (!curve.can_split(split))
+            continue;
+        if (split >= least_points)
             consider(curve.between(split));
-            consider(curve.at_point(split));
-        }
+        consider(curve.at_point(split));
     }
     return best;
 }
@@ -163,7 +166,7 @@ Bend best_bend(Curve const& curve, std::size_t points)
 bool is_bent(double squares_of_line, double squares_of_bend, std::size_t points)
 {
     constexpr double chance = 0.01;  // that a straight line with noise is called bent
-    double const splits = static_cast<double>(points - 2 * least_points + 1);
+    double const splits = static_cast<double>(points - 2 * least_points + 2);
     return splits * std::pow(squares_of_bend / squares_of_line, (static_cast<double>(points) - 4) / 2) < chance;
 }
 
@@ -210,6 +213,14 @@ StiffnessStages stiffness_stages(std::vector<double> const& twist, std::vector<d
     stages.knee_twist_error = std::hypot(low_height, high_height) / slopes;
     stages.knee = sign * (curve.mean_y() + bend.torque);
     stages.knee_twist = sign * (curve.mean_x() + bend.twist);
+    // A bend that the first or last place of all holds may lie beyond it, where the points between belong to the other
+    // stage.
+    constexpr double unknown = std::numeric_limits<double>::infinity();
+    bool const held_low = bend.split < least_points, held_high = curve.is_last_place(bend.twist);
+    if (held_low || held_high) {
+        (held_low ? stages.first_error : stages.second_error) = unknown;
+        stages.knee_error = stages.knee_twist_error = unknown;
+    }
     stages.rms = std::sqrt(bend.squares / count);
     stages.found = true;
     return stages;

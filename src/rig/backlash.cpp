@@ -32,6 +32,13 @@ struct Side
 
 constexpr std::size_t fewest = 3;  // readings on one side
 
+/// Where a branch crosses the backlash [N mm].
+struct Crossing
+{
+    double torque = 0;  ///< between two readings
+    double apart = 0;   ///< distance of these
+};
+
 struct Fit
 {
     double height = 0, squares = std::numeric_limits<double>::infinity();
@@ -45,14 +52,6 @@ Fit lines_beside(Side const& low, Side const& high)
     double const apart = high.x / high.n - low.x / low.n;
     return {high.y / high.n - low.y / low.n - slope * apart,
             low.about_mean_yy() + high.about_mean_yy() - slope * slope * xx};
-}
-
-/// Readings of a branch by ascending torque, without those that have no load.
-std::vector<std::size_t> loaded_readings(Samples const& samples, LoadBranch const& branch, double no_load)
-{
-    std::vector<std::size_t> at = by_torque(samples, branch);
-    std::erase_if(at, [&](std::size_t i) { return std::abs(samples.torque[i]) < no_load; });
-    return at;
 }
 
 /// The torque about which two parallel lines, of the readings up to @p window to either side, are furthest apart.
@@ -90,136 +89,143 @@ std::optional<double> place_of_jump(Samples const& samples, std::vector<std::siz
     return place;
 }
 
-/// Readings that a jump is fitted to, by their distance from a torque [N mm].
-struct Neighbourhood
-{
-    double centre, window;
-};
-
-/// Height of the jump between the readings below and from @p first_above on.
-Found height_of(Samples const& samples, std::vector<std::size_t> const& at, std::size_t first_above,
-                Neighbourhood const& near, Noise const& noise)
-{
-    auto const count = static_cast<Eigen::Index>(at.size()), above = static_cast<Eigen::Index>(first_above);
-    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(count, 3);
-    Eigen::VectorXd angles(count);
-    columns.col(0).head(above).setOnes();
-    columns.col(1).tail(count - above).setOnes();
-    for (Eigen::Index i = 0; i < count; ++i) {
-        std::size_t const k = at[static_cast<std::size_t>(i)];
-        columns(i, 2) = (samples.torque[k] - near.centre) / near.window;
-        angles[i] = samples.twist[k];
-    }
-    return fitted(columns, angles, Eigen::Vector3d(-1, 1, 0), noise);
-}
-
-/// The jump between the readings @p at of a neighbourhood at the torque @p split; without one, between those two
-/// readings that leave the least squares.
+/// The torque between those two readings whose split leaves the least squares of two parallel lines, of the readings up
+/// to @p window from @p place.
 /// @param at  readings by ascending torque
-/// @returns nothing where a side has too few readings; Jump::seen is left to the caller
-std::optional<Jump> jump_about(Samples const& samples, std::vector<std::size_t> at, Neighbourhood const& near,
-                               std::optional<double> split, Noise const& noise)
+/// @returns nothing where a side has too few readings
+std::optional<Crossing> crossing_about(Samples const& samples, std::vector<std::size_t> at, double place, double window)
 {
-    std::erase_if(at, [&](std::size_t i) { return std::abs(samples.torque[i] - near.centre) > near.window; });
+    std::erase_if(at, [&](std::size_t i) { return std::abs(samples.torque[i] - place) > window; });
     if (at.size() < 2 * fewest)
         return std::nullopt;
-    double const count = static_cast<double>(at.size());
-    double mean = 0;
-    for (std::size_t const i : at)
-        mean += samples.twist[i] / count;
     auto const add = [&](Side& side, std::size_t i, double sign) {
-        side.add((samples.torque[i] - near.centre) / near.window, samples.twist[i] - mean, sign);
+        side.add((samples.torque[i] - place) / window, samples.twist[i] - samples.twist[at[0]], sign);
     };
     Side low, high;
     for (std::size_t const i : at)
         add(high, i, 1);
-    Fit best;
+    double least = std::numeric_limits<double>::infinity();
     std::size_t first_above = 0;
     for (std::size_t k = 1; k + fewest <= at.size(); ++k) {
         add(low, at[k - 1], 1);
         add(high, at[k - 1], -1);
-        if (k < fewest || (split && (samples.torque[at[k - 1]] > *split || samples.torque[at[k]] <= *split)))
-            continue;
-        Fit const fit = lines_beside(low, high);
-        if (fit.squares < best.squares) {
-            best = fit;
+        if (double const squares = lines_beside(low, high).squares; k >= fewest && squares < least) {
+            least = squares;
             first_above = k;
         }
     }
-    if (!std::isfinite(best.squares))
+    if (!std::isfinite(least))
         return std::nullopt;
-    return Jump{height_of(samples, at, first_above, near, noise), false,
-                std::max(-samples.torque[at[first_above - 1]], samples.torque[at[first_above]])};
+    double const below = samples.torque[at[first_above - 1]], above = samples.torque[at[first_above]];
+    return Crossing{std::midpoint(below, above), above - below};
 }
 
-constexpr double clear = 5;  // standard errors: beyond what the best of some hundred places reaches by chance
+/// Heights of the jump at @p crossing [rad] between the readings beyond the gap, for each degree of the curves to
+/// either side, which are turned onto each other by half a turn about the middle of the jump.
+ByDegree heights_at(Samples const& samples, std::vector<std::size_t> at, double crossing, Reach const& reach,
+                    Noise const& noise)
+{
+    std::erase_if(at, [&](std::size_t i) {
+        double const distance = std::abs(samples.torque[i] - crossing);
+        return distance < reach.gap || distance > reach.far;
+    });
+    auto const low = std::ranges::count_if(at, [&](std::size_t i) { return samples.torque[i] < crossing; });
+    auto const count = std::ssize(at);
+    constexpr std::ptrdiff_t two = 2;
+    ByDegree heights;
+    for (int degree = 1;
+         degree <= highest_degree && std::min(low, count - low) >= std::max<std::ptrdiff_t>(two, degree); ++degree) {
+        Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(count, 2 + degree);
+        Eigen::VectorXd angles(count), wanted = Eigen::VectorXd::Zero(2 + degree);
+        wanted.head(2) << -1, 1;
+        columns.col(0).head(low).setOnes();
+        columns.col(1).tail(count - low).setOnes();
+        for (std::ptrdiff_t i = 0; i < count; ++i) {
+            std::size_t const k = at[static_cast<std::size_t>(i)];
+            double const share = (samples.torque[k] - crossing) / reach.far;
+            for (int power = 1; power <= degree; ++power)
+                columns(i, 1 + power) = std::copysign(std::pow(std::abs(share), power), share);
+            angles[i] = samples.twist[k];
+        }
+        heights.push_back(fitted(columns, angles, wanted, noise));
+    }
+    return heights;
+}
+
+/// By more than noise makes.
+bool is_clear(ByDegree const& heights)
+{
+    constexpr double clear = 5;  // standard errors: beyond what the best of some hundred places reaches by chance
+    return !heights.empty() && heights[0].value > clear * heights[0].both();
+}
 
 }  // namespace
 
-double unloaded_torque(Samples const& samples, std::vector<LoadBranch> const& branches, double window,
+double unloaded_torque(Samples const& samples, std::vector<LoadBranch> const& branches, Reach const& reach,
                        Noise const& noise)
 {
     struct Place
     {
-        double torque, height, from, to;
+        Crossing crossing;
+        double height, from, to;  // height 0: none that noise would not make
         bool rising;
     };
-    std::vector<Place> places;  // height 0: none that noise would not make
+    std::vector<Place> places;
     double highest = 0;
     for (LoadBranch const& branch : branches) {
         std::vector<std::size_t> const at = by_torque(samples, branch);
-        double const from = samples.torque[at.front()] + window, to = samples.torque[at.back()] - window;
-        auto const place = from < to ? place_of_jump(samples, at, from, to, window) : std::nullopt;
-        auto const jump = place ? jump_about(samples, at, {*place, window}, std::nullopt, noise) : std::nullopt;
-        bool const seen = jump && jump->height.value > clear * jump->height.both();
-        places.push_back({place.value_or(0), seen ? jump->height.value : 0, from, to, branch.rising});
+        double const from = samples.torque[at.front()] + reach.far, to = samples.torque[at.back()] - reach.far;
+        auto const place = from < to ? place_of_jump(samples, at, from, to, reach.far) : std::nullopt;
+        auto const found = place ? crossing_about(samples, at, *place, reach.far) : std::nullopt;
+        ByDegree const heights = found ? heights_at(samples, at, found->torque, reach, noise) : ByDegree{};
+        places.push_back(
+            {found.value_or(Crossing{}), is_clear(heights) ? heights[0].value : 0, from, to, branch.rising});
         highest = std::max(highest, places.back().height);
     }
     // A bend of a branch that does not cross the backlash, or noise of a single one, is no jump of all.
-    auto const jump_of_all = [&](bool rising) -> std::optional<double> {
-        std::vector<double> torques;
+    auto const jump_of_all = [&](bool rising) -> std::optional<Crossing> {
+        std::vector<double> torques, apart;
         for (Place const& each : places)
-            if (each.rising == rising && each.height > highest / 2)
-                torques.push_back(each.torque);
+            if (each.rising == rising && each.height > highest / 2) {
+                torques.push_back(each.crossing.torque);
+                apart.push_back(each.crossing.apart);
+            }
         if (torques.empty())
             return std::nullopt;
         double const middle = quantile(torques, 0.5);
         auto const crosses = [&](Place const& each) {
             return each.rising == rising && each.from < middle && middle < each.to;
         };
-        auto const jumps = [&](double torque) { return std::abs(torque - middle) < window / 2; };
+        auto const jumps = [&](double torque) { return std::abs(torque - middle) < reach.far / 2; };
         auto const crossing = std::ranges::count_if(places, crosses), jumping = std::ranges::count_if(torques, jumps);
-        return 3 * jumping >= 2 * crossing ? std::optional(middle) : std::nullopt;
+        return 3 * jumping >= 2 * crossing ? std::optional(Crossing{middle, quantile(apart, 0.5)}) : std::nullopt;
     };
-    std::optional<double> const up = jump_of_all(true), down = jump_of_all(false);
-    double const middle = up && down ? std::midpoint(*up, *down) : 0;
-    return std::abs(middle) > window / 2 ? middle : 0;
+    std::optional<Crossing> const up = jump_of_all(true), down = jump_of_all(false);
+    if (!up || !down)
+        return 0;
+    double const middle = std::midpoint(up->torque, down->torque);
+    return std::abs(middle) > std::max({reach.gap, up->apart, down->apart}) ? middle : 0;
 }
 
-std::optional<Jump> jump_of_play(Samples const& samples, LoadBranch const& branch, double friction, double window,
-                                 double no_load, Noise const& noise)
+std::optional<Jump> jump_of_play(Samples const& samples, LoadBranch const& branch, double friction, Reach const& reach,
+                                 Noise const& noise)
 {
     constexpr double spread = 1.25;  // of the friction about its median
-    double const beside = window / 2, still = window / 4;
-    std::vector<std::size_t> const at = loaded_readings(samples, branch, no_load);
-    auto const place = branch.rising ? place_of_jump(samples, at, -beside, spread * friction + beside, window)
-                                     : place_of_jump(samples, at, -spread * friction - beside, beside, window);
-    if (!place)
+    double const beside = reach.far / 2, known = branch.rising ? friction : -friction;
+    std::vector<std::size_t> const at = by_torque(samples, branch);
+    auto const place = branch.rising ? place_of_jump(samples, at, -beside, spread * friction + beside, reach.far)
+                                     : place_of_jump(samples, at, -spread * friction - beside, beside, reach.far);
+    auto const found = place ? crossing_about(samples, at, *place, reach.far) : std::nullopt;
+    if (!found)
         return std::nullopt;
-    auto const about = [&](double centre, std::optional<double> split) {
-        return jump_about(samples, at, {std::abs(centre) > still ? centre : 0, window}, split, noise);
+    auto const jump_at = [&](double crossing) {
+        return Jump{heights_at(samples, at, crossing, reach, noise), false, std::abs(crossing) + reach.gap};
     };
-    std::optional<Jump> best = about(*place, std::nullopt);
-    if (!best)
-        return std::nullopt;
-    best->seen = best->height.value > clear * best->height.both();
-    if (best->seen)
-        return best;
-    double const crossing = branch.rising ? friction : -friction;
-    if (std::optional<Jump> const known = about(crossing, crossing))
-        return known;
-    best->height.error = std::max(best->height.error, std::abs(best->height.value));
-    return best;
+    Jump jump = jump_at(std::abs(found->torque - known) < reach.gap / 2 ? known : found->torque);
+    jump.seen = is_clear(jump.heights);
+    if (!jump.seen)
+        jump = jump_at(known);
+    return jump.heights.empty() ? std::nullopt : std::optional(jump);
 }
 
 }  // namespace hdconj::rig

@@ -44,6 +44,27 @@ std::optional<Line> line_through(std::span<Sample const> samples, Noise const& n
     return Line{fitted(columns, angles, Eigen::Vector2d(1, 0), noise), slope};
 }
 
+/// By polynomials of the angle over the torque, for each degree that leaves a reading over, or by the line.
+ByDegree angles_at_zero(std::span<Sample const> samples, Noise const& noise)
+{
+    ByDegree angles;
+    if (samples.size() < 2 || samples.front().torque == samples.back().torque)
+        return angles;
+    auto const count = std::ssize(samples);
+    for (int degree = 1; degree <= highest_degree && (degree == 1 || degree + 1 < count); ++degree) {
+        Eigen::MatrixXd columns(count, degree + 1);
+        Eigen::VectorXd twist(count);
+        for (std::ptrdiff_t i = 0; i < count; ++i) {
+            Sample const& each = samples[static_cast<std::size_t>(i)];
+            twist[i] = each.twist;
+            for (int power = 0; power <= degree; ++power)
+                columns(i, power) = std::pow(each.torque / samples.back().torque, power);
+        }
+        angles.push_back(fitted(columns, twist, Eigen::VectorXd::Unit(degree + 1, 0), noise));
+    }
+    return angles;
+}
+
 /// The samples of a branch whose torque has the sign @p sign, in order of time, multiplied by it.
 std::vector<Sample> loaded_part(Samples const& curve, LoadBranch const& branch, double sign)
 {
@@ -54,28 +75,25 @@ std::vector<Sample> loaded_part(Samples const& curve, LoadBranch const& branch, 
     return samples;
 }
 
-/// Angle at zero torque by a line through the end of an unloading branch: its readings up to the window, without those
-/// that have no load. Where these are fewer than three, by the two next to zero; those without load are left out
-/// where that leaves two within twice the window.
-std::optional<Found> rest_of(std::vector<Sample> samples, BranchLimits const& limits)
+/// Angle at zero torque by curves through the end of an unloading branch, without the readings that have no load. Where
+/// these are fewer than three, by the two next to zero; those without load are left out where that leaves two within
+/// twice the reach.
+ByDegree rest_of(std::vector<Sample> samples, BranchLimits const& limits)
 {
     constexpr std::size_t enough = 3, two = 2;
     std::ranges::stable_sort(samples, {}, &Sample::torque);
-    auto const from = std::ranges::lower_bound(samples, limits.no_load, {}, &Sample::torque);
+    auto const from = std::ranges::lower_bound(samples, limits.reach.gap, {}, &Sample::torque);
     auto const within = [&](double torque) {
         return std::span(from, std::ranges::upper_bound(samples, torque, {}, &Sample::torque));
     };
-    std::span<Sample const> used = within(limits.window);
+    std::span<Sample const> used = within(limits.reach.far);
     if (used.size() < enough) {
-        used = within(2 * limits.window);
+        used = within(2 * limits.reach.far);
         if (used.size() < two)
             used = samples;
-        if (used.size() < two)
-            return std::nullopt;
-        used = used.first(two);
+        used = used.first(std::min(two, used.size()));
     }
-    auto const line = line_through(used, limits.noise);
-    return line ? std::optional(line->at_zero) : std::nullopt;
+    return angles_at_zero(used, limits.noise);
 }
 
 /// Adds the stages of a loading branch. Lines of the angle over the torque are fitted: noise of the angle on the other
@@ -114,10 +132,14 @@ void add_loading(std::vector<Sample> samples, BranchLimits const& limits, Branch
         auto const own = line_through(part, limits.noise);
         return own ? own->slope.shared : 0;
     };
-    all.first.push_back(stiffness({stages.first, stages.first_error, shared({samples.begin(), knee})}));
-    all.second.push_back(stiffness({stages.second, stages.second_error, shared({knee, samples.end()})}));
-    all.knee.push_back({stages.knee_twist, stages.knee_twist_error,
-                        std::numbers::sqrt2 * limits.noise.rounding / std::abs(stages.first - stages.second)});
+    auto const add = [](std::vector<Found>& to, Found const& found) {
+        if (std::isfinite(found.error))
+            to.push_back(found);
+    };
+    add(all.first, stiffness({stages.first, stages.first_error, shared({samples.begin(), knee})}));
+    add(all.second, stiffness({stages.second, stages.second_error, shared({knee, samples.end()})}));
+    add(all.knee, {stages.knee_twist, stages.knee_twist_error,
+                   std::numbers::sqrt2 * limits.noise.rounding / std::abs(stages.first - stages.second)});
 }
 
 /// Adds both sides of one branch: a branch from one load to the opposite one unloads first, then loads.
@@ -130,10 +152,10 @@ void add_branch(Samples const& curve, LoadBranch const& branch, BranchLimits con
         auto const samples = loaded_part(curve, branch, sign);
         if (at_last > at_first) {
             add_loading(samples, limits, all);
-        } else if (at_last <= limits.window) {
-            if (auto const rest = rest_of(samples, limits)) {
+        } else if (at_last <= limits.reach.far) {
+            if (auto const rest = rest_of(samples, limits); !rest.empty()) {
                 bool const above = sign > 0;
-                (above ? all.positive : all.negative).push_back(*rest);
+                (above ? all.positive : all.negative).push_back(rest);
                 (above ? all.positive_time : all.negative_time)
                     .push_back(curve.time[branch.first + samples.size() - 1]);
             }
@@ -147,10 +169,10 @@ BranchFigures branch_figures(Samples const& samples, std::vector<LoadBranch> con
                              BranchLimits limits)
 {
     BranchFigures all;
-    limits.engaged = limits.no_load;
+    limits.engaged = limits.reach.gap;
     for (auto const& branch : branches) {
-        if (auto const jump = jump_of_play(samples, branch, friction, limits.window, limits.no_load, limits.noise)) {
-            all.jumps.push_back(jump->height);
+        if (auto const jump = jump_of_play(samples, branch, friction, limits.reach, limits.noise)) {
+            all.jumps.push_back(jump->heights);
             limits.engaged = std::max(limits.engaged, jump->engaged);
         }
     }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "branches.hpp"
+#include "extrapolation.hpp"
 #include "fits.hpp"
 #include "found.hpp"
 
@@ -14,8 +15,7 @@ namespace hdconj::rig {
 struct BranchLimits
 {
     double loaded = 0;       ///< torque that a branch of a load cycle reaches [N mm]
-    double no_load = 0;      ///< below, the drive may lie anywhere in its backlash [N mm]
-    double window = 0;       ///< up to here a branch is straight [N mm]
+    Reach reach;             ///< of the lines about the backlash
     double engaged = 0;      ///< torque from which the flanks touch in every loading branch [N mm]
     double drift_error = 0;  ///< standard error of the drift [rad per reading]
     Noise noise;
@@ -25,13 +25,13 @@ struct BranchLimits
 struct BranchFigures
 {
     std::vector<Found> first, second, knee, whole;     ///< of loading branches
-    std::vector<Found> positive, negative;             ///< angles at zero torque of unloading branches, by side
+    std::vector<ByDegree> positive, negative;          ///< angles at zero torque of unloading branches, by side
     std::vector<double> positive_time, negative_time;  ///< when the load was off
-    std::vector<Found> jumps;                          ///< from one side of the backlash to the other
+    std::vector<ByDegree> jumps;                       ///< from one side of the backlash to the other
     int straight = 0;                                  ///< loading branches without a bend
 };
 
-/// All branches, each of which is straight up to the window of @p limits.
+/// All branches.
 /// @param friction  as friction_torque() finds it [N mm]
 [[nodiscard]] BranchFigures branch_figures(Samples const& samples, std::vector<LoadBranch> const& branches,
                                            double friction, BranchLimits limits);

@@ -20,9 +20,11 @@ namespace {
 
 using rig::BranchFigures;
 using rig::BranchLimits;
+using rig::ByDegree;
 using rig::Found;
 using rig::LoadBranch;
 using rig::mean_of;
+using rig::Reach;
 using rig::Samples;
 
 [[noreturn]] void refuse(MeasuredCurve const& curve, std::string const& reason, std::string const& remedy)
@@ -76,24 +78,36 @@ void add_loop(BranchFigures const& all, double drift_error, MeasuredStiffness& r
 {
     std::size_t const cycles = std::min(all.positive.size(), all.negative.size());
     result.cycles = static_cast<int>(cycles);
-    std::vector<Found> widths;
+    std::vector<ByDegree> widths;
     double apart = 0;  // readings from one side to the other
     for (std::size_t i = 0; i < cycles; ++i) {
-        auto const &positive = all.positive[i], &negative = all.negative[i];
-        // The negative side was multiplied by -1.
-        widths.push_back({positive.value + negative.value, std::hypot(positive.error, negative.error),
-                          std::hypot(positive.shared, negative.shared)});
-        result.middle += (positive.value - negative.value) / 2 / static_cast<double>(cycles);
+        ByDegree width;
+        for (std::size_t j = 0; j < std::min(all.positive[i].size(), all.negative[i].size()); ++j) {
+            Found const &positive = all.positive[i][j], &negative = all.negative[i][j];
+            // The negative side was multiplied by -1.
+            width.push_back({positive.value + negative.value, std::hypot(positive.error, negative.error),
+                             std::hypot(positive.shared, negative.shared)});
+        }
+        widths.push_back(std::move(width));
+        result.middle += (all.positive[i][0].value - all.negative[i][0].value) / 2 / static_cast<double>(cycles);
         apart += (all.negative_time[i] - all.positive_time[i]) / static_cast<double>(cycles);
     }
-    result.loop_width = mean_of(widths);
-    result.loop_width.error = std::hypot(result.loop_width.error, drift_error * apart);
-    result.backlash = all.jumps.empty() ? result.loop_width : mean_of(all.jumps);
-    if (all.jumps.empty())
+    auto const width = rig::means_of(widths), jump = rig::means_of(all.jumps);
+    auto const with_drift = [&](Estimate each) {
+        each.error = std::hypot(each.error, drift_error * apart);
+        return each;
+    };
+    result.loop_width = with_drift(rig::extrapolated(width));
+    result.backlash = jump.empty() ? result.loop_width : rig::extrapolated(jump);
+    if (jump.empty())
         return;
     // Width and jumps share half of their lines, so that the variance of the width counts half.
-    double const error = std::hypot(result.loop_width.error / std::numbers::sqrt2, result.backlash.error);
-    result.friction_width = {result.loop_width.value - result.backlash.value, error, result.cycles};
+    std::vector<Estimate> by_friction;
+    for (std::size_t j = 0; j < std::min(width.size(), jump.size()); ++j)
+        by_friction.push_back({width[j].value - jump[j].value,
+                               std::hypot(with_drift(width[j]).error / std::numbers::sqrt2, jump[j].error),
+                               result.cycles});
+    result.friction_width = rig::extrapolated(by_friction);
 }
 
 /// Takes the drift out.
@@ -110,12 +124,24 @@ void remove_drift(MeasuredCurve const& curve, std::vector<LoadBranch> const& bra
         samples.twist[i] -= drift->value * samples.time[i];
 }
 
+/// The mean of a figure of two stages; nothing where a branch with a bend does not determine it, or where no more
+/// branches are bent than straight: those that remain would be those that noise bends most.
+Estimate of_bent_branches(BranchFigures const& all, std::vector<Found> const& figure)
+{
+    std::size_t const straight = static_cast<std::size_t>(all.straight), bent = all.whole.size() - straight;
+    return figure.size() == bent && bent > straight ? mean_of(figure) : Estimate{};
+}
+
+Reach reach_of(MeasuredStiffness const& result)
+{
+    return {measured_at::no_load * result.largest_torque, measured_at::near_zero * result.largest_torque};
+}
+
 /// Takes out what the sensor of the torque shows without load.
 void remove_torque_offset(std::vector<LoadBranch> const& branches, rig::Noise const& noise, Samples& samples,
                           MeasuredStiffness& result)
 {
-    double const window = measured_at::near_zero * result.largest_torque;
-    result.torque_middle = rig::unloaded_torque(samples, branches, window, noise);
+    result.torque_middle = rig::unloaded_torque(samples, branches, reach_of(result), noise);
     for (double& each : samples.torque)
         each -= result.torque_middle;
     auto const [low, high] = std::ranges::minmax(samples.torque);
@@ -144,15 +170,9 @@ MeasuredStiffness measured_stiffness(MeasuredCurve const& curve)
     remove_torque_offset(branches, limits.noise, samples, result);
     double const least = std::min(result.torque_middle - low, high - result.torque_middle);
     limits.loaded = measured_at::loaded * least;
-    limits.no_load = measured_at::no_load * result.largest_torque;
-    limits.window = measured_at::near_zero * result.largest_torque;
+    limits.reach = reach_of(result);
     Found const friction = rig::friction_torque(samples, branches, limits.noise.rounding > 0 ? result.angle_step : 0);
-    BranchFigures all = rig::branch_figures(samples, branches, friction.value, limits);
-    Estimate const knee = mean_of(all.knee);
-    if (double const bend = knee.value - friction.value - 2 * knee.error; knee.count > 0 && bend < limits.window) {
-        limits.window = std::max(bend, 2 * limits.no_load);
-        all = rig::branch_figures(samples, branches, friction.value, limits);
-    }
+    BranchFigures const all = rig::branch_figures(samples, branches, friction.value, limits);
     if (all.positive.empty() || all.negative.empty())
         refuse(curve,
                std::string("the load is never taken off from the ") + (all.positive.empty() ? "positive" : "negative") +
@@ -160,13 +180,13 @@ MeasuredStiffness measured_stiffness(MeasuredCurve const& curve)
                "write a whole load cycle: 0, T, 0, -T, 0; without unloading there is no width of the loop");
     add_loop(all, limits.drift_error, result);
     result.friction = {friction.value, friction.error, static_cast<int>(branches.size()) - 1};
-    result.first = mean_of(all.first);
-    result.second = mean_of(all.second);
-    result.knee = mean_of(all.knee);
+    result.first = of_bent_branches(all, all.first);
+    result.second = of_bent_branches(all, all.second);
+    result.knee = of_bent_branches(all, all.knee);
     result.whole = mean_of(all.whole);
     result.straight = all.straight;
     // Nobody knows at which torque the flanks meet: all of these may contain the play and the friction.
-    if (all.jumps.empty() && friction.value > limits.no_load) {
+    if (all.jumps.empty() && friction.value > limits.reach.gap) {
         result.backlash = result.first = result.second = result.knee = result.whole = {};
         result.straight = 0;
     }

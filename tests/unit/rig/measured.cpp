@@ -208,7 +208,7 @@ TEST_CASE("with strays, drift and friction the stated errors are those that are 
 
 TEST_CASE("backlash that noise hides, or that is none, is found without bias under any friction", "[load][measured]")
 {
-    constexpr int tries = 60;
+    constexpr int tries = 120;
     for (double const backlash : {0.0, 0.2, 3.0})
         for (double const friction : {0.0, 0.8, 2.0, 5.0, 10.0})
             for (int const per_branch : {40, 150}) {

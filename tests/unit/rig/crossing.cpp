@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Readings inside the backlash, curves that bend near zero torque, bends near either end, and logs without strays.
+#include <cmath>
+#include <random>
+
+#include "hdconj/measured.hpp"
+#include "support/catch.hpp"
+#include "support/rig_loop.hpp"
+
+namespace hdconj::test::crossing_cases {
+
+using sample::minute;
+using sample::nm;
+using sample::Rig;
+using sample::rig_loop;
+
+namespace {
+
+/// @p curve with @p count readings on each way across the backlash, which stays at one torque within 0.05 N m.
+MeasuredCurve sampled_by_time(MeasuredCurve const& curve, Rig const& rig, int count)
+{
+    MeasuredCurve result = curve;
+    result.twist.clear();
+    result.torque.clear();
+    result.line.clear();
+    std::mt19937 random(rig.seed);
+    std::normal_distribution<double> scatter(0, 0.05 * nm);
+    auto const add = [&](double twist, double torque) {
+        result.twist.push_back(twist);
+        result.torque.push_back(torque);
+        result.line.push_back(static_cast<int>(result.line.size()) + 2);
+    };
+    for (std::size_t i = 0; i < curve.twist.size(); ++i) {
+        double const before = i > 0 ? curve.twist[i - 1] : 0;
+        if (i > 1 && std::abs(curve.twist[i] - before) > rig.drive.backlash / 2)
+            for (int j = 1; j <= count; ++j) {
+                double const side = curve.twist[i] > before ? 1 : -1;
+                add(std::lerp(before, curve.twist[i], j / (count + 1.0)),
+                    rig.torque_offset + side * rig.coulomb + scatter(random));
+            }
+        add(curve.twist[i], curve.torque[i]);
+    }
+    return result;
+}
+
+double pull(Estimate const& found, double wanted)
+{
+    return std::abs(found.value - wanted) / found.error;
+}
+
+}  // namespace
+
+TEST_CASE("readings inside the backlash do not change it", "[load][measured]")
+{
+    for (int const count : {1, 5, 10})
+        for (auto const& [friction, offset] : {std::pair(0.7, 0.0), {1.5, 0.0}, {0.0, 3.0}, {0.0, 1.0}, {1.0, -5.0}})
+            for (unsigned seed = 1; seed <= 5; ++seed) {
+                Rig rig;
+                rig.cycles = 2;
+                rig.per_branch = 60;
+                rig.angle_noise = 0.03 * minute;
+                rig.coulomb = friction * nm;
+                rig.torque_offset = offset * nm;
+                rig.seed = seed;
+                auto const found = measured_stiffness(sampled_by_time(rig_loop(rig), rig, count));
+                INFO(count << " readings, friction " << friction << ", offset " << offset << ", seed " << seed);
+                CHECK(pull(found.backlash, rig.drive.backlash) < 4);
+                CHECK(found.backlash.error < 0.5 * minute);
+                CHECK(pull(found.first, rig.drive.first) < 4);
+                CHECK(std::abs(found.torque_middle - rig.torque_offset) < 0.3 * nm);
+            }
+}
+
+TEST_CASE("the error of the backlash contains the curvature below the readings", "[load][measured]")
+{
+    for (int const per_branch : {60, 100, 300})
+        for (double const noise : {0.0, 0.03})
+            for (unsigned seed = 1; seed <= 10; ++seed) {
+                Rig rig;
+                rig.cycles = 2;
+                rig.per_branch = per_branch;
+                rig.angle_noise = noise * minute;
+                rig.seed = seed;
+                auto curve = rig_loop(rig);
+                for (std::size_t i = 0; i < curve.twist.size(); ++i)  // 1.2' sqrt(T)^1.6: steep where the load begins
+                    curve.twist[i] +=
+                        std::copysign(1.2 * minute * std::pow(std::abs(curve.torque[i]) / nm, 0.8), curve.torque[i]);
+                auto const found = measured_stiffness(curve);
+                INFO(per_branch << " readings, noise " << noise << ", seed " << seed);
+                CHECK(pull(found.backlash, rig.drive.backlash) < 4);
+                CHECK(pull(found.loop_width, rig.drive.backlash) < 4);
+            }
+}
+
+TEST_CASE("a stage with fewer than three readings is not determined", "[load][measured]")
+{
+    Rig rig;
+    rig.cycles = 2;
+    rig.per_branch = 10;
+    rig.angle_noise = 0.03 * minute;
+    rig.drive = {5 * minute, 250 * sample::nm_per_degree, 550 * sample::nm_per_degree, 24 * nm};
+    int determined = 0;
+    for (rig.seed = 1; rig.seed <= 40; ++rig.seed) {
+        auto const found = measured_stiffness(rig_loop(rig));
+        determined += found.second.count > 0 ? 1 : 0;
+        CHECK(found.second.count == found.knee.count);
+        CHECK((found.first.count == 0 || pull(found.first, rig.drive.first) < 4));
+    }
+    CHECK(determined <= 2);
+}
+
+TEST_CASE("of a hundred logs without strays at most one loses a reading", "[load][measured]")
+{
+    int logs = 0, losing = 0;
+    for (double const friction : {0.0, 3.0})
+        for (int const per_branch : {30, 60})
+            for (unsigned seed = 1; seed <= 100; ++seed) {
+                Rig rig;
+                rig.cycles = 2;
+                rig.per_branch = per_branch;
+                rig.angle_noise = 0.03 * minute;
+                rig.coulomb = friction * nm;
+                rig.seed = seed;
+                ++logs;
+                losing += measured_stiffness(rig_loop(rig)).strays.empty() ? 0 : 1;
+            }
+    CHECK(losing <= logs / 100);
+}
+
+}  // namespace hdconj::test::crossing_cases
