@@ -349,6 +349,15 @@ def test_an_option_in_place_of_a_key_that_is_given_is_refused(keys, where):
     said = rf"compute.load.torque = 28: stands in place of load.torque, which stands under \[{where}\] too \(remove one"
     with pytest.raises(hdconj.InputError, match=said):
         study.read_recipe(text)
+    study.read_recipe(text, computed=True)  # rows that are there can be read
+
+
+def test_a_study_that_is_computed_may_have_a_name_without_use():
+    """Folders of versions that took such names can be opened."""
+    text = GOOD.replace("[vary]", "[vary]\nx = { from = 0, to = 1 }")
+    with pytest.raises(hdconj.InputError, match="no link and no figure uses this name"):
+        study.read_recipe(text)
+    assert [key.path for key in study.read_recipe(text, computed=True).keys][0] == "x"
 
 
 TORQUE = """

@@ -76,8 +76,8 @@ def unread_files(recipe: Recipe) -> list[Fault]:
     return found
 
 
-def _read_tables(reader: Reader) -> Recipe:
-    """The recipe, sound as long as the reader has no fault."""
+def _read_tables(reader: Reader, computed: bool) -> Recipe:
+    """The recipe, sound as long as the reader has no fault. One that is computed is not asked what its rows tell."""
     for name in reader.tables:
         if name not in TABLES:
             reader.told(name, "unknown table", near(name, TABLES))
@@ -113,15 +113,19 @@ def _read_tables(reader: Reader) -> Recipe:
             reason = "has the name of another file of the scene"
             reader.told("compute.load.measured", reason, "write another name", name)
     probe(reader, scene, recipe)
-    refuse_overridden(reader, recipe)
+    if not computed:
+        refuse_overridden(reader, recipe)
     if base := _tables_of(scene):
         ask_names(reader, links, {**base, **{key.path: _sort_of(key) for key in keys}})
-        refuse_unused(reader, recipe, base)
+        if not computed:
+            refuse_unused(reader, recipe, base)
     ask_verbs(reader, recipe)
     return recipe
 
 
-def read_recipe(text: str, name: str = "text", folder: str | os.PathLike[str] = "") -> Recipe:
+def read_recipe(
+    text: str, name: str = "text", folder: str | os.PathLike[str] = "", computed: bool = False
+) -> Recipe:
     """Read a study.
 
     Parameters
@@ -132,6 +136,8 @@ def read_recipe(text: str, name: str = "text", folder: str | os.PathLike[str] = 
         How messages call it.
     folder : path
         Where the name of the scene's file starts.
+    computed : bool
+        Whether its rows are there: names that nothing uses, and options in place of keys that vary, are no fault then.
 
     Raises
     ------
@@ -143,20 +149,20 @@ def read_recipe(text: str, name: str = "text", folder: str | os.PathLike[str] = 
         reader.tables = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         refuse([Fault(name, 0, "", f"no TOML: {error}", "mend the line")])
-    recipe = _read_tables(reader)
+    recipe = _read_tables(reader, computed)
     if reader.faults:
         refuse([*reader.faults, *unread_files(recipe)])
     return settled(recipe)
 
 
-def load_recipe(file: str | os.PathLike[str]) -> Recipe:
+def load_recipe(file: str | os.PathLike[str], computed: bool = False) -> Recipe:
     """Read a study from a file; see :func:`read_recipe`."""
     try:
         text = Path(file).read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
         reason = error.strerror if isinstance(error, OSError) else "not UTF-8"
         raise InputError(*_single(os.fspath(file), f"cannot be read: {reason}", "name a file of TOML")) from None
-    return read_recipe(text, os.fspath(file), Path(file).parent)
+    return read_recipe(text, os.fspath(file), Path(file).parent, computed)
 
 
 def _single(path: str, reason: str, remedy: str) -> tuple[tuple[Fault, ...], str]:

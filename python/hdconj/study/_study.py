@@ -34,7 +34,7 @@ class Study:
         self.folder = Folder(place)
         self.about: dict[str, Any] = self.folder.about()
         """Versions, machine, hash of the scene, units of the drive in the middle: what study.json says."""
-        self.recipe: Recipe = recipe or load_recipe(Path(place) / "study.toml")
+        self.recipe: Recipe = recipe or load_recipe(Path(place) / "study.toml", computed=True)
 
     def _shards(self, part: str) -> Iterator[tuple[Any, dict[str, Any]]]:
         """Shards of the drives that the study has now: its count may be less than when they were computed."""
