@@ -82,7 +82,7 @@ TEST_CASE("the error of the backlash contains the curvature below the readings",
                 rig.angle_noise = noise * minute;
                 rig.seed = seed;
                 auto curve = rig_loop(rig);
-                for (std::size_t i = 0; i < curve.twist.size(); ++i)  // 1.2' sqrt(T)^1.6: steep where the load begins
+                for (std::size_t i = 0; i < curve.twist.size(); ++i)  // 1.2' (T/N m)^0.8: steep where the load begins
                     curve.twist[i] +=
                         std::copysign(1.2 * minute * std::pow(std::abs(curve.torque[i]) / nm, 0.8), curve.torque[i]);
                 auto const found = measured_stiffness(curve);
