@@ -129,9 +129,9 @@ struct StiffnessStages
 /// Two straight lines through (twist, torque) by least squares, and the bend where they fit best. Points are in order
 /// of growing torque, all of one sign. With fewer than six points `found` is false, and both slopes are those of one
 /// line. The same holds where a straight line with noise would show such a bend by chance (1 %). Fewer than two
-/// different twists: all zero. The bend lies between the third point and the third last. Where one of these holds it,
-/// the true one may lie beyond: the error of the stage on that side and those of the knee are then infinite. Global
-/// least squares over slopes and bend (Hudson 1966), in time points^2.
+/// different twists: all zero. The bend lies between the third point and the third last. Where it fits best at one of
+/// these, the true one may lie beyond: the error of the stage on that side and those of the knee are then infinite.
+/// Global least squares over slopes and bend (Hudson 1966), in time points^2.
 /// @throws std::logic_error where there are not as many torques as twists
 [[nodiscard]] StiffnessStages stiffness_stages(std::vector<double> const& twist, std::vector<double> const& torque);
 

@@ -213,8 +213,8 @@ StiffnessStages stiffness_stages(std::vector<double> const& twist, std::vector<d
     stages.knee_twist_error = std::hypot(low_height, high_height) / slopes;
     stages.knee = sign * (curve.mean_y() + bend.torque);
     stages.knee_twist = sign * (curve.mean_x() + bend.twist);
-    // A bend that the first or last place of all holds may lie beyond it, where the points between belong to the other
-    // stage.
+    // Where the lines fit best with the bend at its first or last place, the true one may lie beyond, and one stage
+    // would have fewer points than a line needs.
     constexpr double unknown = std::numeric_limits<double>::infinity();
     bool const held_low = bend.split < least_points, held_high = curve.is_last_place(bend.twist);
     if (held_low || held_high) {

@@ -201,9 +201,10 @@ WireFailures check_start(WireProgram const& program)
                                 clear, face, pass.number, room));
             if (!(way >= least_way))
                 failures.push_back(
-                    {fmt::format("start: lead-in or lead-out of pass {} come within {:.6g} mm of the part in the {} "
-                                 "face, and the offset is {:.6g} mm",
-                                 pass.number, way, face, pass.offset),
+                    {fmt::format(
+                         "start: the lead-in or lead-out of pass {} comes within {:.6g} mm of the part in the {} "
+                         "face, and the offset is {:.6g} mm",
+                         pass.number, way, face, pass.offset),
                      "write another wedm.overlap, at whose end the way to the start hole is free, or a shorter "
                      "wedm.lead_in"});
         }
