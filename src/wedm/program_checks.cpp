@@ -183,8 +183,7 @@ WireFailures check_start(WireProgram const& program)
             char const* const face = upper ? "upper" : "lower";
             std::vector<Vec2> const& part = upper ? program.nominal.upper : program.nominal.lower;
             Vec2 const &in_end = upper ? to.upper : to.lower, &out_begin = upper ? from.upper : from.lower;
-            double clear = std::numeric_limits<double>::infinity();
-            double way = clear;
+            double clear = std::numeric_limits<double>::infinity(), way = clear;
             for (std::size_t i = 0; i < part.size(); ++i) {
                 Vec2 const &a = part[i], &b = part[i + 1 == part.size() ? 0 : i + 1];
                 clear = std::min({clear, distance_to_segment(hole, a, b), distance_to_segment(out, a, b)});
