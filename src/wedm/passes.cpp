@@ -23,12 +23,6 @@ std::vector<WireMove> spaces(PairedPath const& pitch, WireFaces const& faces, in
     return moves;
 }
 
-/// The point on the way from @p a to @p b at @p share of it.
-WireMove between(WireMove const& a, WireMove const& b, double share)
-{
-    return {a.lower + share * (b.lower - a.lower), a.upper + share * (b.upper - a.upper), b.tag, b.tooth};
-}
-
 double length(WireMove const& a, WireMove const& b)
 {
     return (b.lower - a.lower).norm();
@@ -124,6 +118,11 @@ Way open_way(PairedPath const& pitch, WireFaces const& faces, WireRun const& run
 }
 
 }  // namespace
+
+WireMove between(WireMove const& a, WireMove const& b, double share)
+{
+    return {a.lower + share * (b.lower - a.lower), a.upper + share * (b.upper - a.upper), b.tag, b.tooth};
+}
 
 Vec2 hole_beside(WireFaces const& faces, int space, bool at_end, double lead_in)
 {

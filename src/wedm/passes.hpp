@@ -23,6 +23,9 @@ inline constexpr double least_units = 20;
 /// Length of the move from @p a to @p b in that of both faces and both guides where it is shortest [mm].
 [[nodiscard]] double shortest_plane(WireMachine const& machine, WirePoints const& a, WirePoints const& b);
 
+/// The point on the way from @p a to @p b at @p share of it.
+[[nodiscard]] WireMove between(WireMove const& a, WireMove const& b, double share);
+
 /// How a pass begins, ends and goes round. Lengths in mm along the lower face.
 struct WireRun
 {

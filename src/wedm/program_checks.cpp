@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a program says of itself: numbers, pairing, machine, start; and all checks together.
+// What a program says of itself: numbers, pairing, machine; and all checks together.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -168,46 +168,6 @@ WireFailures check_machine(MachineLimits const& limits, WireProgram& program)
     check(figures.uv_travel, limits.uv_travel,
           "the upper guide would stand {:.6g} mm off the lower one along an axis, and the machine moves it by {:.6g} "
           "mm at most (wedm.largest_uv_travel)");
-    return failures;
-}
-
-WireFailures check_start(WireProgram const& program)
-{
-    WireFailures failures;
-    for (WirePass const& pass : program.passes) {
-        Vec2 const hole = pass.moves.front().lower;
-        Vec2 const out = pass.moves.back().lower;
-        WireMove const& to = pass.moves[1];
-        WireMove const& from = pass.moves[pass.moves.size() - 2];
-        for (bool const upper : {false, true}) {
-            char const* const face = upper ? "upper" : "lower";
-            std::vector<Vec2> const& part = upper ? program.nominal.upper : program.nominal.lower;
-            Vec2 const &in_end = upper ? to.upper : to.lower, &out_begin = upper ? from.upper : from.lower;
-            double clear = std::numeric_limits<double>::infinity(), way = clear;
-            for (std::size_t i = 0; i < part.size(); ++i) {
-                Vec2 const &a = part[i], &b = part[i + 1 == part.size() ? 0 : i + 1];
-                clear = std::min({clear, distance_to_segment(hole, a, b), distance_to_segment(out, a, b)});
-                way = std::min(
-                    {way, distance_of_segments(hole, in_end, a, b), distance_of_segments(out_begin, out, a, b)});
-            }
-            // as far as the path and the edges of the contour may each be off
-            double const least_way = pass.offset - 2 * program.tolerance;
-            double const room = pass.offset + program.start_hole_radius;
-            if (!(clear >= room))
-                failures.push_back(
-                    fmt::format("start: the start hole's centre is {:.6g} mm from the part in the {} face, and pass {} "
-                                "needs {:.6g} mm",
-                                clear, face, pass.number, room));
-            if (!(way >= least_way))
-                failures.push_back(
-                    {fmt::format(
-                         "start: the lead-in or lead-out of pass {} comes within {:.6g} mm of the part in the {} "
-                         "face, and the offset is {:.6g} mm",
-                         pass.number, way, face, pass.offset),
-                     "write another wedm.overlap, at whose end the way to the start hole is free, or a shorter "
-                     "wedm.lead_in"});
-        }
-    }
     return failures;
 }
 
