@@ -78,7 +78,7 @@ inline constexpr double reversal = 0.1;  ///< a branch ends where the torque has
 inline constexpr double loaded =
     0.8;  ///< a branch that reaches less is no load cycle: the thesis ends with 1 N m of 28
 inline constexpr double no_load = 0.02;    ///< below, the drive may lie anywhere in its backlash
-inline constexpr double near_zero = 0.12;  ///< up to here the unloading branch is a straight line to zero torque
+inline constexpr double near_zero = 0.12;  ///< up to here the curves to zero torque use the readings
 }  // namespace measured_at
 
 /// Splits a curve where the torque turns, and evaluates each branch.
@@ -89,10 +89,10 @@ inline constexpr double near_zero = 0.12;  ///< up to here the unloading branch 
 /// curves where a branch passes from one side to the other, at zero torque or, with friction, beyond it; readings
 /// nearer than no_load to that torque may lie within the backlash and are left out. The width of the loop is found for
 /// each cycle: a curve through the samples of each unloading branch between no_load and near_zero is extended to zero
-/// torque. With fewer than three samples there, a line goes through the two nearest to zero. The curves are lines, or
-/// parabolas where these differ clearly; the difference beyond noise is in the error. The rest of the width is
-/// friction. Stiffness is found for each loading branch, where it is determined in all that have a bend:
-/// stiffness_stages() of the angle over the torque, with negative branches turned round.
+/// torque. With fewer than three samples there, a line goes through the two nearest to zero. The curves are means of
+/// lines and parabolas, weighted by the curvature up to twice as far; what a parabola may leave is in the error. The
+/// rest of the width is friction. Stiffness is found for each loading branch, where it is determined in all that have a
+/// bend: stiffness_stages() of the angle over the torque, with negative branches turned round.
 /// @throws InputError where the samples are no such loop: one sign only, no unloading, torque that falls with the angle
 [[nodiscard]] MeasuredStiffness measured_stiffness(MeasuredCurve const& curve);
 

@@ -120,43 +120,28 @@ std::optional<Crossing> crossing_about(Samples const& samples, std::vector<std::
     return Crossing{std::midpoint(below, above), above - below};
 }
 
-/// Heights of the jump at @p crossing [rad] between the readings beyond the gap, for each degree of the curves to
-/// either side, which are turned onto each other by half a turn about the middle of the jump.
-ByDegree heights_at(Samples const& samples, std::vector<std::size_t> at, double crossing, Reach const& reach,
-                    Noise const& noise)
+/// Heights of the jump at @p crossing [rad] by the readings beyond the gap.
+ByCurve heights_at(Samples const& samples, std::vector<std::size_t> const& at, double crossing, Reach const& reach,
+                   Noise const& noise)
 {
-    std::erase_if(at, [&](std::size_t i) {
-        double const distance = std::abs(samples.torque[i] - crossing);
-        return distance < reach.gap || distance > reach.far;
-    });
-    auto const low = std::ranges::count_if(at, [&](std::size_t i) { return samples.torque[i] < crossing; });
-    auto const count = std::ssize(at);
-    constexpr std::ptrdiff_t two = 2;
-    ByDegree heights;
-    for (int degree = 1;
-         degree <= highest_degree && std::min(low, count - low) >= std::max<std::ptrdiff_t>(two, degree); ++degree) {
-        Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(count, 2 + degree);
-        Eigen::VectorXd angles(count), wanted = Eigen::VectorXd::Zero(2 + degree);
-        wanted.head(2) << -1, 1;
-        columns.col(0).head(low).setOnes();
-        columns.col(1).tail(count - low).setOnes();
-        for (std::ptrdiff_t i = 0; i < count; ++i) {
-            std::size_t const k = at[static_cast<std::size_t>(i)];
-            double const share = (samples.torque[k] - crossing) / reach.far;
-            for (int power = 1; power <= degree; ++power)
-                columns(i, 1 + power) = std::copysign(std::pow(std::abs(share), power), share);
-            angles[i] = samples.twist[k];
-        }
-        heights.push_back(fitted(columns, angles, wanted, noise));
+    CrossingReadings readings;
+    for (std::size_t const i : at) {
+        BesideCrossing const reading{samples.torque[i] - crossing, samples.twist[i]};
+        double const distance = std::abs(reading.distance);
+        if (distance < reach.gap || distance > 2 * reach.far)
+            continue;
+        readings.farther.push_back(reading);
+        if (distance <= reach.far)
+            readings.near.push_back(reading);
     }
-    return heights;
+    return extrapolations(readings, AtCrossing::jump, reach.far, noise);
 }
 
 /// By more than noise makes.
-bool is_clear(ByDegree const& heights)
+bool is_clear(ByCurve const& heights)
 {
     constexpr double clear = 5;  // standard errors: beyond what the best of some hundred places reaches by chance
-    return !heights.empty() && heights[0].value > clear * heights[0].both();
+    return !heights.empty() && heights[line].value > clear * heights[line].both();
 }
 
 }  // namespace
@@ -177,9 +162,9 @@ double unloaded_torque(Samples const& samples, std::vector<LoadBranch> const& br
         double const from = samples.torque[at.front()] + reach.far, to = samples.torque[at.back()] - reach.far;
         auto const place = from < to ? place_of_jump(samples, at, from, to, reach.far) : std::nullopt;
         auto const found = place ? crossing_about(samples, at, *place, reach.far) : std::nullopt;
-        ByDegree const heights = found ? heights_at(samples, at, found->torque, reach, noise) : ByDegree{};
+        ByCurve const heights = found ? heights_at(samples, at, found->torque, reach, noise) : ByCurve{};
         places.push_back(
-            {found.value_or(Crossing{}), is_clear(heights) ? heights[0].value : 0, from, to, branch.rising});
+            {found.value_or(Crossing{}), is_clear(heights) ? heights[line].value : 0, from, to, branch.rising});
         highest = std::max(highest, places.back().height);
     }
     // A bend of a branch that does not cross the backlash, or noise of a single one, is no jump of all.

@@ -13,7 +13,7 @@ namespace hdconj::rig {
 /// The jump of the angle from one side of the backlash to the other.
 struct Jump
 {
-    ByDegree heights;    ///< [rad]
+    ByCurve heights;     ///< [rad]
     bool seen = false;   ///< noise would not make it; else the height at the torque of the friction
     double engaged = 0;  ///< torque from which the flanks touch, without sign [N mm]
 };

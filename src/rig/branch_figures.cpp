@@ -44,27 +44,6 @@ std::optional<Line> line_through(std::span<Sample const> samples, Noise const& n
     return Line{fitted(columns, angles, Eigen::Vector2d(1, 0), noise), slope};
 }
 
-/// By polynomials of the angle over the torque, for each degree that leaves a reading over, or by the line.
-ByDegree angles_at_zero(std::span<Sample const> samples, Noise const& noise)
-{
-    ByDegree angles;
-    if (samples.size() < 2 || samples.front().torque == samples.back().torque)
-        return angles;
-    auto const count = std::ssize(samples);
-    for (int degree = 1; degree <= highest_degree && (degree == 1 || degree + 1 < count); ++degree) {
-        Eigen::MatrixXd columns(count, degree + 1);
-        Eigen::VectorXd twist(count);
-        for (std::ptrdiff_t i = 0; i < count; ++i) {
-            Sample const& each = samples[static_cast<std::size_t>(i)];
-            twist[i] = each.twist;
-            for (int power = 0; power <= degree; ++power)
-                columns(i, power) = std::pow(each.torque / samples.back().torque, power);
-        }
-        angles.push_back(fitted(columns, twist, Eigen::VectorXd::Unit(degree + 1, 0), noise));
-    }
-    return angles;
-}
-
 /// The samples of a branch whose torque has the sign @p sign, in order of time, multiplied by it.
 std::vector<Sample> loaded_part(Samples const& curve, LoadBranch const& branch, double sign)
 {
@@ -78,22 +57,27 @@ std::vector<Sample> loaded_part(Samples const& curve, LoadBranch const& branch, 
 /// Angle at zero torque by curves through the end of an unloading branch, without the readings that have no load. Where
 /// these are fewer than three, by the two next to zero; those without load are left out where that leaves two within
 /// twice the reach.
-ByDegree rest_of(std::vector<Sample> samples, BranchLimits const& limits)
+ByCurve rest_of(std::vector<Sample> samples, BranchLimits const& limits)
 {
-    constexpr std::size_t enough = 3, two = 2;
+    constexpr std::ptrdiff_t enough = 3, two = 2;
     std::ranges::stable_sort(samples, {}, &Sample::torque);
-    auto const from = std::ranges::lower_bound(samples, limits.reach.gap, {}, &Sample::torque);
-    auto const within = [&](double torque) {
-        return std::span(from, std::ranges::upper_bound(samples, torque, {}, &Sample::torque));
+    std::vector<BesideCrossing> all;
+    for (Sample const& each : samples)
+        all.push_back({each.torque, each.twist});
+    auto const up_to = [&](double torque) {
+        return std::ranges::upper_bound(all, torque, {}, &BesideCrossing::distance);
     };
-    std::span<Sample const> used = within(limits.reach.far);
-    if (used.size() < enough) {
-        used = within(2 * limits.reach.far);
-        if (used.size() < two)
-            used = samples;
-        used = used.first(std::min(two, used.size()));
+    auto const loaded = std::ranges::lower_bound(all, limits.reach.gap, {}, &BesideCrossing::distance);
+    auto from = loaded, to = up_to(limits.reach.far);
+    if (to - from < enough) {
+        if (up_to(2 * limits.reach.far) - from < two)
+            from = all.begin();
+        to = from + std::min(two, all.end() - from);
     }
-    return angles_at_zero(used, limits.noise);
+    auto const end = std::max(up_to(2 * limits.reach.far), from + std::min(enough, all.end() - from));
+    if (to - from < two || from->distance == (to - 1)->distance)
+        return {};
+    return extrapolations({{from, to}, {from, end}}, AtCrossing::angle, limits.reach.far, limits.noise);
 }
 
 /// Adds the stages of a loading branch. Lines of the angle over the torque are fitted: noise of the angle on the other

@@ -25,9 +25,9 @@ struct BranchLimits
 struct BranchFigures
 {
     std::vector<Found> first, second, knee, whole;     ///< of loading branches
-    std::vector<ByDegree> positive, negative;          ///< angles at zero torque of unloading branches, by side
+    std::vector<ByCurve> positive, negative;           ///< angles at zero torque of unloading branches, by side
     std::vector<double> positive_time, negative_time;  ///< when the load was off
-    std::vector<ByDegree> jumps;                       ///< from one side of the backlash to the other
+    std::vector<ByCurve> jumps;                        ///< from one side of the backlash to the other
     int straight = 0;                                  ///< loading branches without a bend
 };
 

@@ -2,8 +2,10 @@
 // Angles at the torque where the load has gone, from readings under load.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
+#include "fits.hpp"
 #include "found.hpp"
 
 namespace hdconj::rig {
@@ -15,23 +17,60 @@ struct Reach
     double far = 0;
 };
 
-/// One value by polynomials of degree 1, 2 ... of the angle over the torque, as far as the readings tell them.
-using ByDegree = std::vector<Found>;
-inline constexpr int highest_degree = 2;
+/// A reading beside that torque.
+struct BesideCrossing
+{
+    double distance = 0;  ///< below 0: on the negative side [N mm]
+    double angle = 0;     ///< [rad]
+};
 
-/// The mean over all branches for each degree that all of them have.
-[[nodiscard]] std::vector<Estimate> means_of(std::vector<ByDegree> const& branches);
+/// One value in three ways, as far as the readings tell them: by a line through the readings within reach; what it
+/// changes by where the curve has the curvature of the readings up to twice as far; by a parabola within reach.
+using ByCurve = std::vector<Found>;
+enum CurveOf : std::size_t
+{
+    line,
+    bend,
+    parabola
+};
 
-/// What a curve that need not be straight says: the value by the line, or by the parabola where both differ by more
-/// than three standard errors.
+/// What is wanted of the crossing.
+enum class AtCrossing
+{
+    angle,  ///< from readings of the positive side
+    jump,   ///< of the angle, from readings of both sides: their curves are alike, turned by half a turn about its
+            ///< middle
+};
+
+/// The readings that a value is found from, by torque.
+struct CrossingReadings
+{
+    std::vector<BesideCrossing> near;     ///< within reach
+    std::vector<BesideCrossing> farther;  ///< the same and more
+};
+
+/// @param far  the reach [N mm]
+/// @returns nothing where near are fewer than two on a side
+[[nodiscard]] ByCurve extrapolations(CrossingReadings const& readings, AtCrossing wanted, double far,
+                                     Noise const& noise);
+
+/// The mean over all branches of each way that all of them have.
+[[nodiscard]] std::vector<Estimate> means_of(std::vector<ByCurve> const& branches);
+
+/// What a curve that need not be straight says: a mean of line and parabola.
 ///
-/// On a straight curve they differ by d, with the variance of the parabola less that of the line, because the line is
-/// then the best estimate (Hausman, Econometrica 46, 1978). The root of what d^2 has beyond 1.5^2 times that variance
-/// is curvature. Over such distances the parabola has at least twice the error of the line; where steps of an encoder
-/// hide that, twice is taken. A parabola is taken to leave at most as much as it takes off: this is added to its error,
-/// and twice this to that of the line. A power p of the torque, over distances from 1 to 6, leaves 0 d for p = 2, 0.3 d
-/// for p = 1.5, 1.3 d for p = 0.8 and 1.8 d for p = 2/3; a bend at 1.8 leaves 1.7 d. Exact for lines. Curvature that
-/// the noise hides, and a bend nearer than all readings, are not in the error. Domain: not empty.
-[[nodiscard]] Estimate extrapolated(std::vector<Estimate> const& by_degree);
+/// Both differ by d, on a straight curve with the variance v of the parabola less that of the line, because the line is
+/// then the best estimate (Hausman, Econometrica 46, 1978). Over such distances the parabola has at least twice the
+/// error of the line; where steps of an encoder hide that, twice is taken. How far the line is off is not known before,
+/// but the farther readings tell it with a sixth of that error: as b^2 on average, less the noise in it, of a curve
+/// whose curvature is the same near zero torque. It may be three times as large there, p = (3 b)^2. The mean with the
+/// least error then takes the share p/(p + v) of the parabola.
+///
+/// A parabola leaves some of a curve that is none: as much as it takes off, or twice what d is larger than b, which is
+/// how the curvature grows towards zero torque. This is added to the error as far as d is beyond two deviations of its
+/// noise. Of a power p of the torque the parabola leaves 0 d for p = 2, 0.3 d for p = 1.5, 1.4 d for p = 0.8 and 1.9 d
+/// for p = 2/3. Without a parabola it is the line, with an error of 2 b. Exact for lines. A bend nearer than all
+/// readings is not in the error. Domain: not empty.
+[[nodiscard]] Estimate extrapolated(std::vector<Estimate> const& by_curve);
 
 }  // namespace hdconj::rig

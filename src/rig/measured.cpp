@@ -20,7 +20,7 @@ namespace {
 
 using rig::BranchFigures;
 using rig::BranchLimits;
-using rig::ByDegree;
+using rig::ByCurve;
 using rig::Found;
 using rig::LoadBranch;
 using rig::mean_of;
@@ -78,10 +78,10 @@ void add_loop(BranchFigures const& all, double drift_error, MeasuredStiffness& r
 {
     std::size_t const cycles = std::min(all.positive.size(), all.negative.size());
     result.cycles = static_cast<int>(cycles);
-    std::vector<ByDegree> widths;
+    std::vector<ByCurve> widths;
     double apart = 0;  // readings from one side to the other
     for (std::size_t i = 0; i < cycles; ++i) {
-        ByDegree width;
+        ByCurve width;
         for (std::size_t j = 0; j < std::min(all.positive[i].size(), all.negative[i].size()); ++j) {
             Found const &positive = all.positive[i][j], &negative = all.negative[i][j];
             // The negative side was multiplied by -1.

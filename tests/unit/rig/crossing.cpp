@@ -118,6 +118,32 @@ TEST_CASE("the error of the backlash contains the curvature below the readings",
             }
 }
 
+TEST_CASE("curvature that noise hides is in the error of the backlash", "[load][measured]")
+{
+    constexpr int tries = 30;
+    for (auto const& [per_branch, noise] :
+         {std::pair(20, 0.05), {30, 0.05}, {60, 0.05}, {60, 0.1}, {200, 0.1}, {200, 0.3}}) {
+        double of_backlash = 0, of_width = 0;
+        Rig rig;
+        rig.cycles = 2;
+        rig.per_branch = per_branch;
+        rig.angle_noise = noise * minute;
+        for (rig.seed = 1; rig.seed <= tries; ++rig.seed) {
+            auto curve = rig_loop(rig);
+            for (std::size_t i = 0; i < curve.twist.size(); ++i)  // 2' (1 - exp(-T/4 N m)): soft where the load begins
+                curve.twist[i] -=
+                    std::copysign(2 * minute * std::expm1(-std::abs(curve.torque[i]) / (4 * nm)), curve.torque[i]);
+            auto const found = measured_stiffness(curve);
+            of_backlash += std::pow(pull(found.backlash, rig.drive.backlash), 2) / tries;
+            of_width += std::pow(pull(found.loop_width, rig.drive.backlash), 2) / tries;
+        }
+        INFO(per_branch << " readings, noise " << noise);
+        CHECK(std::sqrt(of_backlash) < 1.3);
+        CHECK(std::sqrt(of_width) < 1.3);
+        CHECK(std::sqrt(of_backlash) > 0.5);
+    }
+}
+
 TEST_CASE("a stage with fewer than three readings is not determined", "[load][measured]")
 {
     Rig rig;
