@@ -6,6 +6,7 @@
     python_reference.py --check    fails where the page is not what would be written
 """
 import inspect
+import itertools
 import sys
 import textwrap
 from pathlib import Path
@@ -20,14 +21,20 @@ The package `hdconj`. [Compute in Python](../how-to/compute-in-python.md) shows 
 """
 
 
+COLUMNS = 98
+
+
 def block(text):
-    """Documentation as it stands, so that its columns stay."""
-    return "```text\n" + "\n".join(line for long in text.splitlines() for line in wrapped(long)) + "\n```\n"
-
-
-def wrapped(line):
-    indent = line[: len(line) - len(line.lstrip())]
-    return textwrap.wrap(line, 98, subsequent_indent=indent) or [""]
+    """Documentation as it stands, so that its columns stay. A paragraph with a longer line is filled again."""
+    lines = []
+    for indent, run in itertools.groupby(text.splitlines(), lambda line: line[: len(line) - len(line.lstrip())] if line
+                                         else None):
+        run = list(run)
+        if max(map(len, run)) > COLUMNS:
+            run = textwrap.wrap(" ".join(map(str.strip, run)), COLUMNS, initial_indent=indent,
+                                subsequent_indent=indent)
+        lines += run
+    return "```text\n" + "\n".join(lines) + "\n```\n"
 
 
 def members(kind):
@@ -54,7 +61,7 @@ def page():
         rows = [f"{member}: {words.splitlines()[0]}" for member, words in members(kind)]
         if rows:
             parts.append("\n".join(line for row in rows for line in textwrap.wrap(
-                f"- `{row.replace(': ', '`: ', 1)}", 98, subsequent_indent="  ")) + "\n")
+                f"- `{row.replace(': ', '`: ', 1)}", COLUMNS, subsequent_indent="  ")) + "\n")
         for member, words in members(kind):
             if "Parameters\n---" in words:
                 parts.append(f"#### {name}.{member}\n\n{block(words)}")
