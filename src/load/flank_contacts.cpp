@@ -109,7 +109,7 @@ std::vector<FlankContact> flank_contacts(contact::GapField const& field, FlankSe
     std::vector<FlankCurve> curves(2 * slices);
     constexpr std::size_t curves_worth_a_thread = 8;
     parallel_for(curves.size(), threads, curves_worth_a_thread,
-                 [&](std::size_t i) { curves[i] = FlankCurve(grid.point[i / slices][i % slices]); });
+                 [&](std::size_t i) { curves[i] = FlankCurve(grid.point[i / slices][i % slices], search.tangents); });
     constexpr double nothing = -std::numeric_limits<double>::infinity();
     std::vector<double> unknown;
     std::vector<double>& bounds = known != nullptr ? known->least_ : unknown;
@@ -159,7 +159,7 @@ void hold_contacts(contact::GapField const& field, FlankSearch const& search, st
         });
         if (!(force[i] > 0) || found)
             continue;
-        FlankCurve const curve(field.grid().point[static_cast<std::size_t>(old.flank)][old.slice]);
+        FlankCurve const curve(field.grid().point[static_cast<std::size_t>(old.flank)][old.slice], search.tangents);
         contact::GapField::NearTeeth const teeth = field.near_teeth(old.space, old.slice, search.turn);
         FlankView const view{field, search, curve, old.space, old.flank, old.slice, field.radius(old.flank, old.slice),
                              teeth};

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/gap_field.hpp"
+#include "flank_curve.hpp"
 
 namespace hdconj::load {
 
@@ -45,6 +46,7 @@ struct FlankSearch
     int flexspline_teeth = 0;
     double strip_depth = 0;  ///< how much more gap belongs to one contact: that at the edges of a typical strip [mm]
     bool in_middle = false;  ///< every force acts in the middle of its strip, on edges too
+    FlankTangents tangents = FlankTangents::parabola;
 };
 
 /// What searches know of the gaps of a field that only moves: no gap of a flank is smaller than its bound.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -10,9 +11,18 @@
 
 namespace hdconj::load {
 
-/// Cubic Hermite stretches between neighbouring points; the tangent at a point is that of the parabola through it and
-/// its neighbours (normals of a ruled or tilted grid belong to the surface before the tilt). Where chords turn more
-/// than a flank does there is an edge, and stretches end along their chords. The parameter is the way along the chords.
+/// The tangent at a point between two chords.
+enum class FlankTangents
+{
+    parabola,  ///< through it and its neighbours
+    /// The same, weighted by the turns beside it (Akima, J. ACM 17, 1970): a stretch that does not bend stays straight
+    /// beside one that does, where parabolas make a dip of some nanometres.
+    straighter
+};
+
+/// Cubic Hermite stretches between neighbouring points, with tangents from the points alone (normals of a ruled or
+/// tilted grid belong to the surface before the tilt). Where chords turn more than a flank does there is an edge, and
+/// stretches end along their chords. The parameter is the way along the chords.
 class FlankCurve
 {
   public:
@@ -24,7 +34,8 @@ class FlankCurve
 
     FlankCurve() = default;
 
-    explicit FlankCurve(std::vector<Vec2> const& point) : point_(point)
+    explicit FlankCurve(std::vector<Vec2> const& point, FlankTangents tangents = FlankTangents::parabola)
+        : point_(point)
     {
         constexpr double aligned = 0.995;  // cosine of 6 degrees
         for (auto* column : {&begin_, &end_})
@@ -43,10 +54,18 @@ class FlankCurve
             begin_.push_back(length(i) * direction[i]);
             end_.push_back(begin_.back());
         }
+        auto const turn = [&](std::size_t i) { return std::abs(cross(direction[i - 1], direction[i])); };
         // where a neighbour goes on, both end along the tangent they share
         for (std::size_t i = 1; i < direction.size(); ++i)
             if (direction[i - 1].dot(direction[i]) >= aligned) {
-                Vec2 const tangent = (length(i) * direction[i - 1] + length(i - 1) * direction[i]).normalized();
+                double before = length(i), after = length(i - 1);
+                if (tangents == FlankTangents::straighter) {
+                    constexpr double even = 1e-3;  // of the turn here, where neither side bends
+                    before *= turn(std::min(i + 1, direction.size() - 1)) + even * turn(i);
+                    after *= turn(std::max<std::size_t>(i - 1, 1)) + even * turn(i);
+                }
+                Vec2 const sum = before * direction[i - 1] + after * direction[i];
+                Vec2 const tangent = (sum.squaredNorm() > 0 ? sum : direction[i]).normalized();
                 end_[i - 1] = length(i - 1) * tangent;
                 begin_[i] = length(i) * tangent;
             }

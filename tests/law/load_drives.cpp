@@ -97,6 +97,7 @@ TEST_CASE("flanks that fit a tooth over a long stretch, or lose an equilibrium, 
     };
     for (Drive const& each : {Drive{270, 54.7341, ToothSurface::per_slice},
                               {144, 12.0576, ToothSurface::ruled},
+                              {38, 163.145, ToothSurface::ruled},
                               {224, 4.85961, ToothSurface::tilted}}) {
         INFO("seed " << each.seed);
         LoadOptions options;

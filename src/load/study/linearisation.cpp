@@ -45,6 +45,7 @@ FlankSearch search_of(LoadProblem const& problem, ContactChoice const& choice, d
 {
     FlankSearch search = flank_search(problem, turn, limit, choice.depth);
     search.in_middle = choice.in_middle;
+    search.tangents = choice.tangents;
     return search;
 }
 

@@ -14,6 +14,7 @@ struct ContactChoice
     double depth = 1;        ///< of the strips, as a multiple of the standard one
     bool hold = false;       ///< loaded contacts stay where their minimum of the gap vanishes
     bool in_middle = false;  ///< of FlankSearch
+    FlankTangents tangents = FlankTangents::parabola;
 
     [[nodiscard]] bool operator==(ContactChoice const&) const = default;
 };

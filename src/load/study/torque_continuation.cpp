@@ -34,7 +34,8 @@ struct Attempt
 /// gap, as an edge and the flank beside it, the least gap jumps from one to the other; the middle of the strip does
 /// not. Where a flank fits over a long stretch with two minima, strips that are narrow enough make two contacts of
 /// them. From an equilibrium that has only just become unstable the iteration moves away in small steps: the last
-/// attempt has many.
+/// attempt but one has many. Flanks that fit each other over a long stretch may touch in a dip of nanometres that the
+/// tangents of parabolas make where a rounded edge ends.
 constexpr Attempt attempts[] = {{{1}, 3, 25},
                                 {{0.5}, 3, 25},
                                 {{1, true}, 3, 40},
@@ -47,7 +48,8 @@ constexpr Attempt attempts[] = {{{1}, 3, 25},
                                 {{0x1p-4}, 3, 40},
                                 {{0x1p-6}, 3, 40},
                                 {{0x1p-10}, 3, 40},
-                                {{1}, 160, 160}};
+                                {{1}, 160, 160},
+                                {{1, false, false, FlankTangents::straighter}, 3, 40}};
 
 constexpr char const* smaller_torque = "write a smaller torque";
 
