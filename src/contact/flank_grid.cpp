@@ -2,6 +2,7 @@
 #include "flank_grid.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "hdconj/contact.hpp"
 #include "hdconj/numeric/bracketed_root.hpp"
@@ -162,6 +163,7 @@ FlankGrid flank_grid(conjugate::MatchedOutline const& outline, std::vector<doubl
 
 FlankGrid moved_into_material(FlankGrid grid, double offset)
 {
+    offset -= std::exchange(grid.laid, offset);
     for (std::size_t f = 0; f < 2; ++f)
         for (std::size_t k = 0; k < grid.slices(); ++k) {
             bool const whole = !grid.line[f].empty();
@@ -200,6 +202,7 @@ FlankGrid slice_of(FlankGrid const& grid, std::size_t k)
         one.tip = {grid.tip[k]};
     if (!grid.shift.empty())
         one.shift = {grid.shift[k]};
+    one.laid = grid.laid;
     auto const take = [k](auto const& all, auto& one_of_them) {
         for (std::size_t f = 0; f < 2; ++f)
             if (!all[f].empty())

@@ -44,6 +44,10 @@ struct FlankGrid
     /// before that, as it is in the outline that is written.
     std::vector<double> shift;
 
+    /// Side clearance that the points above have already [mm]. Slices with a draft are made with it: one that moves
+    /// inward along its normals loses an end of the flank, which moving the rest outward would not bring back.
+    double laid = 0;
+
     /// [flank][slice] where not empty: the points are centres of circles of this radius within the material, and gaps
     /// are those of the circles [mm]
     std::array<std::vector<double>, 2> radius;
@@ -58,9 +62,9 @@ struct FlankGrid
 /// that one point has one origin in all slices. Fewer where the outline has fewer.
 [[nodiscard]] FlankGrid flank_grid(conjugate::MatchedOutline const& outline, std::vector<double> const& z, int count);
 
-/// The grid moved along its normals into the material by the side clearance @p offset [mm], as a part that is made has
-/// it: overlaps of moved branches come together in their crossing (trim_overlaps()), what is left beyond a tip circle
-/// on it, and `station` counts from there. Centres of circles are moved alone.
+/// The grid moved along its normals into the material until it has the side clearance @p offset [mm], as a part that is
+/// made has it: overlaps of moved branches come together in their crossing (trim_overlaps()), what is left beyond a tip
+/// circle on it, and `station` counts from there. Centres of circles are moved alone.
 [[nodiscard]] FlankGrid moved_into_material(FlankGrid grid, double offset);
 
 /// Slice @p k alone.

@@ -223,6 +223,41 @@ TEST_CASE("contact law: a ruled flank with a side clearance has the area of the 
     }
 }
 
+TEST_CASE("contact law: flanks with a draft that are written touch, are not entered, and have the area that is told",
+          "[law][contact]")
+{
+    constexpr int slices = 9;
+    for (double const draft : {-1.0, -0.3, 0.3}) {
+        Keys const drafted = with(with(coned(), sliced(slices, "tilted")), tilted(draft, "draft"));
+        ContactCase const least = only_case(builtin_scene(drafted));
+        Scene const scene =
+            builtin_scene(with(drafted, {"circular_spline.backlash_offset=" + number(least.least_side_clearance),
+                                         "circular_spline.inner_radius=" + number(least.least_tip_radius)}));
+        ContactStudy const study = study_contact(scene);
+        ContactCase const& made = study.cases.front();
+        auto const& spline = study.solution.circular_spline;
+        auto const first = static_cast<std::size_t>(spline.landmarks[3]),
+                   last = static_cast<std::size_t>(spline.landmarks[4]);
+        INFO("draft " << draft << ", side clearance " << made.backlash_offset / um << " um");
+        REQUIRE(made.backlash_offset == scene.circular_spline.backlash_offset);
+        ConedDrive drive(scene, slices);
+        double lowest = 1, area = 0;
+        for (std::size_t k = 0; k < spline.outline.size(); ++k) {
+            distance::FullTurnClearance<motion::AnyMotion> const turns(drive.tooth, drive.maker->motion(k).motion,
+                                                                       drive.pitch(), 1);
+            for (std::size_t i = first; i <= last; ++i)
+                lowest = std::min(lowest, turns(spline.outline[k][i]).distance);
+            double length = 0;
+            for (std::size_t i = first; i < last; ++i)
+                length += (spline.outline[k][i + 1] - spline.outline[k][i]).norm();
+            area += length * (k == 0 || k + 1 == spline.outline.size() ? 0.5 : 1.0);
+        }
+        CHECK(std::abs(lowest) < 1e-6);
+        area *= drive.z_c() * (spline.z.back() - spline.z.front()) / (slices - 1) / std::cos(draft * degree);
+        CHECK(made.state.flank_area == Approx(area).epsilon(1e-4));
+    }
+}
+
 TEST_CASE("contact law: slices made for the sections of a cup that shifts along its axis are touched and not entered",
           "[law][contact]")
 {

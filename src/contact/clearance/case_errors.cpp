@@ -284,16 +284,16 @@ void write_errors(CaseSurface const& surface, SliceClearances const& clearances,
     CaseSurface finer = surface;
     while (finer.z().size() < fewest)
         finer = finer.refined();
-    std::optional<SliceClearances> finer_clearances;  // a deviation needs none
-    if (errors)
-        finer_clearances.emplace(surface.context(), finer.builder());
+    std::optional<SliceClearances> anew;
+    if (errors)  // a deviation needs none
+        anew.emplace(surface.context(), finer.builder());
     conjugate::MatchedOutline const outline = finer.outline(made.tip);
-    double const most = std::max(made.given, result.least_side_clearance);
-    PartFlanks const flanks = part_flanks(finer, outline, made.tip, most);
-    PartFlanks const cleared = made.cleared.tip == made.tip
-                                   ? flanks
-                                   : part_flanks(finer, finer.outline(made.cleared.tip), made.cleared.tip, most);
-    write({finer, errors ? *finer_clearances : clearances, outline, flanks.grid, cleared});
+    double const tip = made.cleared.tip, least = result.least_side_clearance, most = std::max(made.given, least);
+    bool const apart = surface.is_drafted();  // is made with each side clearance
+    PartFlanks const flanks = part_flanks(finer, outline, made.tip, apart ? made.given : most);
+    bool const same = tip == made.tip && (!apart || made.given == least);
+    write({finer, errors ? *anew : clearances, outline, flanks.grid,
+           same ? flanks : part_flanks(finer, finer.outline(tip), tip, apart ? least : most)});
 }
 
 }  // namespace hdconj::contact

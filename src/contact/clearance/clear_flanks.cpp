@@ -40,7 +40,7 @@ void lift_tip(CaseSurface const& surface, SliceClearances const& clearances, Cle
         });
         if (cleared.offset <= cleared.reach)
             return;
-        further = more * cleared.offset;
+        further = surface.is_drafted() ? cleared.offset : more * cleared.offset;  // made with just this
     }
     throw NumericalError(ErrorCode::not_converged, "contact", "least side clearance",
                          "the flanks that are left at the tip circle need more side clearance each time it grows");

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "base/text.hpp"
 #include "hdconj/error.hpp"
+#include "made_flanks.hpp"
 #include "surface/moved_outline.hpp"
 
 namespace hdconj::contact {
@@ -28,7 +30,7 @@ Missing missing(FlankGrid const& grid, std::size_t k, double distance)
     for (std::size_t f = 0; f < 2; ++f) {
         double const tip = grid.tip.empty() ? grid.point[f][k].front().norm() : grid.tip[k];
         Vec2 const& normal = grid.normal[f][k].front();
-        Vec2 const corner = grid.point[f][k].front() + distance * normal;
+        Vec2 const corner = grid.point[f][k].front() + (distance - grid.laid) * normal;
         double const radial = corner.norm() - tip, slope = std::abs(cross(corner, normal)) / corner.norm();
         if (!(radial > 0))
             continue;
@@ -81,6 +83,12 @@ PartFlanks part_flanks(CaseSurface const& surface, conjugate::MatchedOutline con
                 throw;
             step *= 0.5;  // as far as there is a surface: see unseen_length()
         }
+    }
+    if (!surface.is_drafted())
+        return made;
+    if (std::optional<FlankGrid> solved = solved_flanks(surface, tip, distance)) {
+        made.grid = *std::move(solved);
+        made.grid.tip = tips;
     }
     return made;
 }

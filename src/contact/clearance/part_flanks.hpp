@@ -19,11 +19,12 @@ namespace hdconj::contact {
 struct PartFlanks
 {
     conjugate::MatchedOutline outline;  ///< as far beyond the tip circle as that takes, not moved
-    FlankGrid grid;                     ///< the same, with the tip circles of its slices where it may be moved
+    FlankGrid grid;                     ///< the same, with the tip circles of its slices where it may be moved; slices
+                                        ///< with a draft have the side clearance already
 };
 
 /// @param at_tip    @p surface with the tip circle @p tip
-/// @param distance  they may be moved by this much [mm]; 0: nothing lies beyond
+/// @param distance  side clearance that they may be moved by [mm]; 0: nothing lies beyond
 [[nodiscard]] PartFlanks part_flanks(CaseSurface const& surface, conjugate::MatchedOutline const& at_tip, double tip,
                                      double distance);
 

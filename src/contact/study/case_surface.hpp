@@ -68,6 +68,8 @@ class CaseSurface
     [[nodiscard]] bool is_ruled() const { return spec_.surface == ToothSurface::ruled; }
     /// Whether straight lines join the conjugate outlines of two end planes that differ.
     [[nodiscard]] bool is_ruled_on_cone() const { return is_ruled() && context_->scene.coning; }
+    /// Whether its flanks with a side clearance are not those without it, moved along the normals of each plane.
+    [[nodiscard]] bool is_made_with_clearance() const { return (is_ruled_on_cone() || is_drafted()) && z().size() > 1; }
 
     /// The same surface with twice as many intervals between its planes.
     [[nodiscard]] CaseSurface refined() const { return {*context_, spec_, builder_->refined()}; }
