@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "figures/inspect_figures.hpp"
 #include "figures/number_text.hpp"
@@ -13,27 +15,76 @@ namespace hdconj::report {
 namespace {
 
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t most_drawn = 24;  // flanks of a side: more are one grey band
-
-/// The traces of a side in the first plane, by arc length: of all teeth, or of every k-th.
-PlotColumns traces_of(Inspection const& inspection, bool right)
+/// A band from the least to the largest deviation of all flanks of a side, and some of the flanks.
+struct SideTraces
 {
+    PlotColumns traces, band;
+    std::size_t drawn = 0, flanks = 0;
+};
+
+/// The teeth with the largest form, slope and total deviation among the flanks of a side of the first plane.
+std::set<int> worst_teeth(Inspection const& inspection, bool right)
+{
+    std::set<int> teeth;
+    for (Uncertain FlankFigures::*const figure : {&FlankFigures::form, &FlankFigures::slope, &FlankFigures::total}) {
+        FlankFigures const* worst = nullptr;
+        for (FlankFigures const& flank : inspection.flanks)
+            if (flank.right == right && flank.z == inspection.nominal.front().z &&
+                (worst == nullptr || std::abs((flank.*figure).value) > std::abs((worst->*figure).value)))
+                worst = &flank;
+        if (worst != nullptr)
+            teeth.insert(worst->tooth);
+    }
+    return teeth;
+}
+
+/// Least and largest deviation by height of flanks whose points are sorted by arc length.
+PlotColumns band_of(std::map<int, std::vector<Vec2>> const& flanks, double length)
+{
+    constexpr int heights = 64;
+    std::map<int, std::pair<double, double>> band;
+    auto const widen = [&](double height, double value) {
+        auto const [at, is_new] = band.try_emplace(static_cast<int>(std::lround(height)), value, value);
+        at->second = {std::min(at->second.first, value), std::max(at->second.second, value)};
+    };
+    for (auto const& [tooth, points] : flanks)
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            double const here = points[i].x() / length * heights;
+            widen(here, points[i].y());
+            double const before = i > 0 ? points[i - 1].x() / length * heights : here;
+            for (double height = std::ceil(before); height < here; ++height)
+                widen(height, std::lerp(points[i - 1].y(), points[i].y(), (height - before) / (here - before)));
+        }
+    PlotColumns columns;
+    for (auto const& [height, range] : band)
+        columns.row(height * length / heights, range.first, range.second);
+    if (band.empty())
+        columns.row(no_value, no_value, no_value);
+    return columns;
+}
+
+/// Of a side in the first plane by arc length: the band of all flanks, and every k-th of them with the worst ones.
+SideTraces traces_of(Inspection const& inspection, bool right)
+{
+    constexpr std::size_t most_drawn = 24;
     std::map<int, std::vector<Vec2>> flanks;
     for (PointDeviation const& point : inspection.points)
         if (point.right == right && point.fate == PointFate::used && point.z == inspection.nominal.front().z)
             flanks[point.tooth].emplace_back(point.arc_length, point.deviation * per_um);
+    std::set<int> const worst = worst_teeth(inspection, right);
     Polylines lines;
-    std::size_t const step = (flanks.size() + most_drawn - 1) / most_drawn, first = 0;
-    std::size_t number = first;
+    std::size_t const step = flanks.size() / (most_drawn + 1) + 1;
+    std::size_t number = 0;
     for (auto& [tooth, points] : flanks) {
-        if (number++ % std::max<std::size_t>(step, 1) != 0)
-            continue;
         std::sort(points.begin(), points.end(), [](Vec2 const& a, Vec2 const& b) { return a.x() < b.x(); });
-        lines.push_back(points);
+        if (number++ % step == 0 || worst.contains(tooth))
+            lines.push_back(points);
     }
+    SideTraces side{{}, band_of(flanks, inspection.nominal.front().flank_length), lines.size(), flanks.size()};
     if (lines.empty())
         lines.push_back({Vec2(no_value, no_value)});
-    return PlotColumns(lines);
+    side.traces = PlotColumns(lines);
+    return side;
 }
 
 PlotColumns strays_of(Inspection const& inspection, bool right)
@@ -85,6 +136,12 @@ std::string words_of_side(Inspection const& inspection, bool right)
     return "";
 }
 
+/// "23 of 100 flanks drawn, grey: all"; empty where all are drawn.
+std::string words_of_drawn(SideTraces const& side)
+{
+    return side.drawn == side.flanks ? "" : fmt::format("{} of {} flanks drawn, grey: all", side.drawn, side.flanks);
+}
+
 std::string words_of_ring(Inspection const& inspection)
 {
     std::string words;
@@ -105,8 +162,13 @@ std::string inspect_chart_script(Inspection const& inspection)
 {
     PlotData data(inspection.scene.drive.name + ":  " + std::string(to_string(inspection.options.part)) + ",  " +
                   inspection.file);
-    data.set("left_traces", traces_of(inspection, false));
-    data.set("right_traces", traces_of(inspection, true));
+    SideTraces const left = traces_of(inspection, false), right = traces_of(inspection, true);
+    data.set("left_traces", left.traces);
+    data.set("right_traces", right.traces);
+    data.set("left_band", left.band);
+    data.set("right_band", right.band);
+    data.set("left_drawn", words_of_drawn(left));
+    data.set("right_drawn", words_of_drawn(right));
     data.set("left_strays", strays_of(inspection, false));
     data.set("right_strays", strays_of(inspection, true));
     data.set("ring", ring_of(inspection));
