@@ -72,79 +72,6 @@ Faults nearest_mesh(DesignWishes const& wishes, MeshChoice const& failed)
     return faults;
 }
 
-constexpr int two = 2;  // digits of a torque
-
-/// The largest torque of two digits below the one asked for that the cup of @p failed stands, or one near it; nothing
-/// where its stress is too much without torque already, or where none is found in a few trials. The stress grows about
-/// evenly with the torque, so that each trial says at which torque it would be the allowed one.
-std::optional<double> torque_with_wall(DesignWishes wishes, MeshedSheet const& failed)
-{
-    constexpr int most_trials = 8;
-    constexpr double margin = 0.95;
-    // sixteen times that of type-50 for the same stress: what is far above tells nothing
-    double const far = 16 * 28 * newton_metre * std::pow(failed.sheet["d_r"] / 50, 3);
-    double const allowed = allowed_stress(wishes);
-    std::optional<double> stands;
-    double too_much = *wishes.torque;
-    WallTrial found = failed.walls.back();
-    double torque = found.loaded > 0 ? too_much : std::min(too_much, far);
-    for (int i = 0; i < most_trials && found.assembled <= allowed; ++i) {
-        double const just = torque * (allowed - found.assembled) / (found.loaded - found.assembled);
-        bool const is_known = found.loaded > found.assembled;
-        if (!stands)
-            torque = rounded(found.loaded > allowed ? margin * std::min(torque, just) : torque / 2, two);
-        else if (double const next = rounded(just, two); is_known && next < too_much)
-            torque = next;
-        else
-            torque = rounded((*stands + too_much) / 2, two);
-        if (stands && (torque <= *stands || torque >= too_much))
-            break;
-        wishes.torque = torque;
-        found = stress_of(failed, wishes, false);
-        if (found.refusal.empty())
-            stands = torque;
-        else
-            too_much = torque;
-    }
-    return stands;
-}
-
-/// The torque at which the stress in the best of the walls of @p failed would be the allowed one, if it grew evenly
-/// with the torque; 0 where that cannot be told. Another wall than the one with the least stress may stand more of a
-/// smaller torque.
-double torque_of_walls(DesignWishes const& wishes, MeshedSheet const& failed)
-{
-    double const allowed = allowed_stress(wishes);
-    double most = 0;
-    for (WallTrial const& each : failed.walls)
-        if (!each.interferes && each.assembled <= allowed && each.loaded > allowed)
-            most = std::max(most, *wishes.torque * (allowed - each.assembled) / (each.loaded - each.assembled));
-    return most;
-}
-
-/// The largest torque of two digits that a few trials of all walls find, without errors.
-std::optional<double> nearest_torque(DesignWishes const& wishes, MeshedSheet const& failed, WallSearch& search)
-{
-    constexpr int most_halvings = 3;
-    constexpr double enough = 0.05;
-    std::optional<double> stands = torque_with_wall(wishes, failed);
-    double const expected = torque_of_walls(wishes, failed);
-    double too_much = *wishes.torque;
-    auto const try_torque = [&](double torque) {
-        if (torque <= stands.value_or(0) || torque >= too_much)
-            return false;
-        bool const works = search.under_torque(torque, false).works();
-        (works ? stands.emplace() : too_much) = torque;
-        return works;
-    };
-    bool found = false;
-    for (double const part : {0.98, 0.9, 0.75})
-        found = found || try_torque(rounded(part * expected, two));
-    for (int i = 0; found && i < most_halvings && too_much - *stands > enough * *stands; ++i)
-        try_torque(rounded((*stands + too_much) / 2, two));
-    return stands;
-}
-
 /// The weakest steel of the table that stands the stress @p most with the safety of the wishes; nothing where none
 /// does, or where another modulus would change the stress.
 std::optional<std::string> stronger_steel(DesignWishes const& wishes, double most)
@@ -168,7 +95,7 @@ Faults nearest_load(DesignWishes const& wishes, MeshedSheet const& failed, WallS
     if (last.interferes)
         return {{"--length-ratio", 0, short_number(wishes.length_ratio), reason,
                  "write a larger one, whose cup cones less, a smaller --land or another --family"}};
-    if (auto const torque = nearest_torque(wishes, failed, search))
+    if (auto const torque = search.most_torque())
         faults.push_back(fault_of("--torque", short_number(*wishes.torque / newton_metre), reason,
                                   short_number(*torque / newton_metre)));
     constexpr double hundredths = 100;

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <initializer_list>
 
 #include "base/text.hpp"
 #include "hdconj/contact.hpp"
 #include "hdconj/load.hpp"
+#include "hdconj/units.hpp"
+#include "torque_search.hpp"
 #include "wishes.hpp"
 
 namespace hdconj::design {
@@ -198,6 +201,28 @@ MeshedSheet WallSearch::under_torque(std::optional<double> torque, bool errors)
     std::erase_if(tried, [&](WallTrial const& each) { return each.wall == best.walls.back().wall; });
     best.walls.insert(best.walls.begin(), tried.begin(), tried.end());
     return best;
+}
+
+std::optional<double> WallSearch::most_torque()
+{
+    double const allowed = allowed_stress(wishes_), diameter = without_torque_->sheet["d_r"];
+    // sixteen times that of type-50 for the same stress: what is far above tells nothing
+    double const far = 16 * 28 * newton_metre * std::pow(diameter / 50, 3);
+    std::vector<double> walls;
+    std::vector<WallTrial> refused;
+    for (auto const& [wall, made] : clear_) {
+        if (!made.mesh.best || made.walls.back().interferes || made.walls.back().assembled > allowed)
+            continue;
+        walls.push_back(wall);
+        refused.push_back(made.walls.back());
+    }
+    return design::most_torque(refused, *wishes_.torque, allowed, far, [&](std::size_t number, double torque) {
+        wishes_.torque = torque;
+        if (talk_)
+            talk_("stress under " + short_number(torque / newton_metre) + " N m with a wall of " +
+                  short_number(walls[number] * diameter, digits) + " mm");
+        return loaded(walls[number], false).walls.back();
+    });
 }
 
 void add_root_clearance(MeshedSheet& made)

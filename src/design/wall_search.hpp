@@ -55,6 +55,10 @@ class WallSearch
     /// comes last.
     [[nodiscard]] MeshedSheet under_torque(std::optional<double> torque, bool errors);
 
+    /// The largest torque of two digits that a wall stands, after all were refused under the last torque, without
+    /// errors; nothing where none is found.
+    [[nodiscard]] std::optional<double> most_torque();
+
   private:
     [[nodiscard]] MeshedSheet loaded(double wall, bool errors);
 

@@ -146,9 +146,9 @@ TEST_CASE("with a torque the wall keeps the safety, and a larger torque is refus
     double const stress = study.cases.front().curve.back().largest_stress;
     CHECK(stress == made.walls.back().loaded);
     CHECK(stress <= 670 / wishes.safety);
-    wishes.torque = 100 * newton_metre;
+    wishes.torque = 200 * newton_metre;
     wishes.torque = torque_named(wishes);
-    CHECK(*wishes.torque > 20 * newton_metre);
+    CHECK(*wishes.torque > 80 * newton_metre);  // which a thinner wall stands than that with the least stress
     CHECK_NOTHROW(design_drive(wishes));
 }
 
