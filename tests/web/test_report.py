@@ -7,6 +7,7 @@
 With HDCONJ_FULL in the environment also pages of a drive under load and of 40 slices.
 """
 import json
+import math
 import os
 import subprocess
 import sys
@@ -270,6 +271,60 @@ class Reports(unittest.TestCase):
                 maps.append(page.locator("#axial .chart g[shape-rendering] path").evaluate_all(
                     "all => all.map(each => each.getAttribute('fill') + each.getAttribute('d')).join()"))
             self.assertNotEqual(*maps)
+
+    def test_drawn_teeth_belong_to_the_case_that_is_written(self):
+        import h5py
+        for name, revolution in ("drawn", ()), ("drawn-turn", ("--revolution", "2")):
+            result = Path(FOLDER.name) / f"{name}.h5"
+            hdconj("contact", TYPE_50, *CLEARANCE, "--set", "slices.count=3", "--tilt", "0.2,0.1", *revolution, "-o",
+                   str(result), "-q")
+            with h5py.File(result) as file:
+                contact = file["contact"]
+                written = int(contact.attrs["written_case"])
+                state, row = (contact["case_001/revolution"], 0) if revolution else (contact, written)
+                told = {key: state[key][row] for key in ("smallest_gap", "contact_fraction", "turn_to_contact")}
+                if not revolution:
+                    gaps = 1000 * contact["map/gap"][()].min(axis=(0, 1, 3))
+            self.assertEqual(written, 1)
+            with Page(report(name + "-read", str(result))) as page:
+                settled(page)
+                self.assertEqual(page.locator(".computed strong").inner_text(),
+                                 "Computed at this angle: tilted, radial 0.1°")
+                shown = {key: float(page.locator(f".computed tr[data-name={key}]").get_attribute("data-value"))
+                         for key in told}
+                self.assertAlmostEqual(shown["smallest_gap"], 1000 * told["smallest_gap"], delta=1e-9)
+                self.assertEqual(shown["contact_fraction"], told["contact_fraction"])
+                self.assertAlmostEqual(shown["turn_to_contact"], 60 * math.degrees(told["turn_to_contact"]), delta=1e-9)
+                page.get_by_role("button", name="Turned to contact").click()
+                for k, gap in enumerate(gaps):
+                    page.locator("label:has-text('Slice') select").select_option(index=k)
+                    page.wait_for_timeout(400)
+                    measured = float(page.locator("[data-gap]").first.get_attribute("data-gap"))
+                    self.assertAlmostEqual(measured, gap, delta=0.02)  # [um]
+
+    def test_cases_are_named_by_what_differs(self):
+        def opened(name, *options):
+            result = Path(FOLDER.name) / f"{name}.h5"
+            hdconj("contact", f"{SOURCE}/data/scenes/type-50-coned.toml", "--set", "slices.count=3", "--no-errors",
+                   *options, "-o", str(result), "-q")
+            return Page(report(name + "-read", str(result)))
+
+        slider = "#axial label:has(input[data-tilt])"
+        with opened("surfaces", "--surface", "tilted,ruled,per-slice") as page:
+            see(page, "axial")
+            self.assertEqual(page.locator(slider).inner_text().split(), ["Case", "per-slice"])
+            self.assertEqual(page.locator("#axial figure:has(table) th").all_inner_texts(),
+                             ["tilted", "ruled", "per-slice"])
+            self.assertEqual(page.locator("#axial .curves").count(), 0)
+        for name, options, case, series in (
+                ("ways", ("--surface", "tilted,ruled", "--tilt", "0,0.1"), "Case", ["tilted", "ruled"]),
+                ("kinds", ("--surface", "tilted", "--kind", "radial,draft", "--tilt", "0,0.1"), "Case",
+                 ["radial", "draft"]),
+                ("angles", ("--surface", "tilted", "--tilt", "0,0.1"), "Tilt", ["contact fraction"])):
+            with opened(name, *options) as page:
+                see(page, "axial")
+                self.assertEqual(page.locator(slider).inner_text().split()[0], case)
+                self.assertEqual(page.locator("#axial .u-series .u-label").all_inner_texts()[1:], series)
 
     def test_maps_of_the_tilts_are_the_program_s(self):
         import h5py

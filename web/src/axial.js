@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What happens along the axis: map of gaps, one tooth space that one can turn, tilts.
 
+import { caseAt, caseNames, differencesOf, writtenCase } from "./cases.js";
 import { chart } from "./curves.js";
-import { column, groupAt } from "./data.js";
+import { column, errorOf, groupAt, plusMinus, shown } from "./data.js";
 import { choice, colour, legend, make, onTheme, remember, remembered, scaleColour } from "./dom.js";
 import { heatMap } from "./heat_map.js";
 import { keyFigures } from "./keys.js";
-import { caseNames } from "./load.js";
 import { say } from "./texts.js";
 
 const degree = Math.PI / 180;
@@ -37,7 +37,7 @@ export function axialView(drive) {
  * @param {import("./data.js").Group} contact @param {number} index @returns {Smallest} */
 function smallestOf(contact, index) {
   const map = groupAt(contact, "map"), z = column(map, "z");
-  const own = groupAt(contact, `case_${String(index).padStart(3, "0")}/gaps`);
+  const own = caseAt(contact, index, "gaps");
   const group = own || map, angle = column(group, "angle"), gap = column(group, "gap");
   const points = gap.length / (angle.length * 2 * z.length);
   return { angle, z, at: (space, flank, slice) => {
@@ -63,8 +63,8 @@ function gapMaps(smallest) {
 /** The cases of a study: their figures, maps and tooth space; a slider where there are several.
  * @param {import("./data.js").Drive} drive @param {import("./data.js").Group} contact */
 function casesView(drive, contact) {
-  const names = caseNames(contact), written = contact.attributes?.written_case || 0;
-  const worst = groupAt(contact, "case_000/revolution") ? `, ${say("worst")}` : "";
+  const names = caseNames(contact), written = writtenCase(contact), differences = differencesOf(contact);
+  const worst = caseAt(contact, written, "revolution") ? `, ${say("worst")}` : "";
   const angles = column(contact, "wave_generator");
   const list = make("div", {}), maps = make("div", { class: "figures wide" });
   const surface = make("div", { class: "wide" });
@@ -89,11 +89,26 @@ function casesView(drive, contact) {
       remember("t", Number(slider.value));
     } });
   const chosen = make("div", { class: "wide" }, names.length < 2 ? output
-    : make("label", { class: "wide" }, say("tilt") + " ", slider, output), list);
-  const tilts = names.length < 2 ? null : chart(say("tiltChart") + worst, say("tiltUnit"), say("fraction"),
-    [{ name: say("fraction"), dots: true, x: Array.from(column(contact, "tilt"), (t) => t / degree),
-      y: column(contact, "contact_fraction"), error: column(contact, "contact_fraction_error") }]);
-  return [chosen, maps, surface, tilts];
+    : make("label", { class: "wide" }, say(differences.names.some(Boolean) ? "case" : "tilt") + " ", slider, output),
+  list);
+  return [chosen, maps, surface, names.length < 2 ? null : fractionsOf(contact, differences, worst)];
+}
+
+/** Contact fractions of the cases: dots over their tilts, a table where the tilts do not differ.
+ * @param {import("./data.js").Group} contact @param {ReturnType<typeof differencesOf>} differences
+ * @param {string} worst */
+function fractionsOf(contact, { names, areTilted }, worst) {
+  const tilt = column(contact, "tilt"), fraction = column(contact, "contact_fraction");
+  const error = (/** @type {number} */ i) => errorOf(contact, "contact_fraction", i);
+  if (!areTilted)
+    return make("figure", {}, make("figcaption", {}, say("fractions") + worst), make("table", {}, make("tbody", {},
+      ...names.map((name, i) => make("tr", {}, make("th", { scope: "row" }, name || caseNames(contact)[i]),
+        make("td", {}, shown(fraction[i], error(i))), make("td", {}, plusMinus(error(i))))))));
+  return chart(say("tiltChart") + worst, say("tiltUnit"), say("fraction"), [...new Set(names)].map((name) => {
+    const rows = names.flatMap((each, i) => (each === name ? [i] : []));
+    return { name: name || say("fraction"), dots: true, x: rows.map((i) => tilt[i] / degree),
+      y: rows.map((i) => fraction[i]), error: rows.map((i) => error(i) ?? NaN) };
+  }));
 }
 
 /** One tooth space over the face width, turned by dragging; its flanks coloured by the gap map, or each slice of a

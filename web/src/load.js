@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The drive under torque.
 
+import { caseAt, caseNames, writtenCase } from "./cases.js";
 import { bars, chart } from "./curves.js";
 import { brief, column, errorOf, groupAt, isUnknown, plusMinus, shown, shownError } from "./data.js";
 import { choice, colour, legend, make, onTheme, remember, remembered } from "./dom.js";
@@ -16,19 +17,9 @@ function by(values, unit) {
   return Array.from(values, (v) => v / unit);
 }
 
-/** Names of the cases of contact or load.
- * @param {import("./data.js").Group|undefined} group */
-export function caseNames(group) {
-  const sets = (group && group.datasets) || {}, tilt = column(group, "tilt");
-  return ((sets.surface && sets.surface.texts) || []).map((surface, i) => {
-    const kind = sets.kind && sets.kind.texts ? sets.kind.texts[i] : "";
-    return `${surface}${kind ? `, ${kind} ${brief(tilt[i] / degree)}°` : ""}`;
-  });
-}
-
 /** @param {import("./data.js").Group} load @param {number} index */
 function caseFigures(load, index) {
-  const group = groupAt(load, "case_" + String(index).padStart(3, "0"));
+  const group = caseAt(load, index);
   const curve = groupAt(group, "curve"), errors = groupAt(curve, "error");
   const known = column(errors, "estimated");
   /** @param {string} name @param {number} unit */
@@ -68,8 +59,7 @@ function caseFigures(load, index) {
       ...names.map((name, i) => make("tr", {}, make("th", { scope: "row" }, name),
         make("td", {}, shown(twist[i], e[i])), make("td", {}, plusMinus(e[i])), make("td", {}, "arcmin")))))));
   }
-  const cup = index === ((load.attributes && load.attributes.written_case) || 0) ? cupSection(load, index)
-    : null;
+  const cup = index === writtenCase(load) ? cupSection(load, index) : null;
   return make("div", { class: "figures" }, ...all, ...(cup ? [cup] : []));
 }
 
@@ -171,8 +161,7 @@ export function loadView(drive) {
   const load = groupAt(drive.results.load, "load");
   if (!load) return null;
   const names = caseNames(load), place = make("div", {});
-  const first = (load.attributes && load.attributes.written_case) || 0;
-  const start = Math.max(0, Math.min(names.length - 1, remembered("l", first)));
+  const start = Math.max(0, Math.min(names.length - 1, remembered("l", writtenCase(load))));
   const show = (/** @type {number} */ i) => {
     if (i !== start) remember("l", i);
     place.replaceChildren(caseFigures(load, i));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view of the teeth in mesh: controls, keys, readings.
 
+import { caseAt, caseNames, writtenCase } from "./cases.js";
 import { column, errorOf, groupAt, shown, shownError } from "./data.js";
 import { choice, legend, make, onTheme, remember, remembered, toggle } from "./dom.js";
 import { keyFigures } from "./keys.js";
-import { caseNames } from "./load.js";
 import { LoadedMesh, loadedTeeth } from "./loaded.js";
 import { Mesh, turned } from "./motion.js";
 import { Painter } from "./paint.js";
@@ -29,8 +29,8 @@ export function meshView(drive) {
 function teethView(drive, loaded, show) {
   const still = loaded ? new LoadedMesh(drive) : null;
   const mesh = still || new Mesh(drive), painter = new Painter(drive, mesh);
-  const revolution = groupAt(drive.results.contact, "contact/case_000/revolution");
-  const contact = groupAt(drive.results.contact, "contact");
+  const contact = groupAt(drive.results.contact, "contact"), drawn = writtenCase(contact);
+  const revolution = caseAt(contact, drawn, "revolution"), angles = column(revolution, "wave_generator");
   const s = {
     angle: still ? still.loadedAngle : remembered("a", 0) * degree,
     slice: Math.min(mesh.z.length - 1, remembered("k", mesh.z.length >> 1)),
@@ -93,15 +93,14 @@ function teethView(drive, loaded, show) {
     clearTimeout(settled);
     settled = window.setTimeout(readLeast, 120);
   }
-  /** The angle of the turn to contact, of the state that is nearest. */
+  /** The state of the drawn case whose angle is nearest. */
   function stateAt() {
-    const angles = column(revolution, "wave_generator");
-    const state = revolution && angles.length ? revolution : contact;
-    const all = column(state, "wave_generator");
     // states repeat with every tooth space
-    const off = Array.from(all, (a) => Math.abs(remainder(a - s.angle, mesh.pitch)));
-    const index = off.indexOf(Math.min(...off));
-    return { state, index, off: off[index], angle: all[index] };
+    const away = (/** @type {number} */ a) => Math.abs(remainder(a - s.angle, mesh.pitch));
+    const off = Array.from(angles, away), index = off.indexOf(Math.min(...off));
+    if (index >= 0) return { state: revolution, index, off: off[index], angle: angles[index] };
+    const angle = column(contact, "wave_generator")[drawn];
+    return { state: contact, index: drawn, off: away(angle), angle };
   }
   function readLeast() {
     if (playing) return;
@@ -116,8 +115,8 @@ function teethView(drive, loaded, show) {
     if (!contact || still) return;
     const { state, index, off } = stateAt();
     if (!state || !(off < 1e-7)) return;
-    computed.append(make("strong", {}, say("computed")), keyFigures(state, index, ["smallest_gap", "turn_to_contact",
-      "reverse_turn_to_contact", "backlash", "contact_fraction", "teeth"]));
+    computed.append(make("strong", {}, `${say("computed")}: ${caseNames(contact)[drawn]}`), keyFigures(state, index,
+      ["smallest_gap", "turn_to_contact", "reverse_turn_to_contact", "backlash", "contact_fraction", "teeth"]));
   }
   function readPointer() {
     if (!pointer) return;
@@ -187,7 +186,6 @@ function teethView(drive, loaded, show) {
     draw();
   });
 
-  const angles = column(revolution, "wave_generator");
   /** @param {string} text @param {() => void} act */
   const button = (text, act) => make("button", { type: "button", click: act }, text);
   const turning = still ? [] : [play, make("label", { class: "wide" }, say("angle") + " ", slider, number),
@@ -251,8 +249,7 @@ function teethView(drive, loaded, show) {
 /** What the picture of the loaded teeth shows.
  * @param {import("./data.js").Drive} drive @param {LoadedMesh} mesh */
 function loadedNote(drive, mesh) {
-  const load = groupAt(drive.results.load, "load"), index = load?.attributes?.written_case || 0;
-  const map = groupAt(load, `case_${String(index).padStart(3, "0")}/map`);
+  const load = groupAt(drive.results.load, "load"), index = writtenCase(load), map = caseAt(load, index, "map");
   const torque = Number(((map?.attributes?.torque_Nmm || 0) / 1000).toPrecision(4));
   const minutes = 60 / degree, twist = column(load, "twist")[index] * minutes, known = errorOf(load, "twist", index);
   const error = known === null ? null : known * minutes;

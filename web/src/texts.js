@@ -84,7 +84,8 @@ const english = {
   lostMotion: "Lost motion",
   startingTorque: "Starting torque of the wave generator", backDriving: "Back-driving torque on the output",
   stateAngle: "Wave generator at", worst: "worst of the revolution",
-  tiltChart: "Contact fraction against tilt", tiltUnit: "tilt [deg]", fraction: "contact fraction",
+  tiltChart: "Contact fraction against tilt", fractions: "Contact fraction of each case", tiltUnit: "tilt [deg]",
+  fraction: "contact fraction",
 };
 
 /** @type {Record<string, string>} */
