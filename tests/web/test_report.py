@@ -61,6 +61,16 @@ COUNTING = """() => {
     requestAnimationFrame(frame);
   };
 }"""
+
+
+def scale_colour(share):
+    """The colour of a gap on light paper, as a canvas tells it."""
+    cividis = ((0, 32, 77), (49, 68, 107), (102, 105, 112), (149, 144, 120), (203, 186, 105), (255, 234, 70))
+    x = min(1, share) * (len(cividis) - 1)
+    at = min(len(cividis) - 2, int(x))
+    return "#" + "".join(f"{int(a + (b - a) * (x - at) + 0.5):02x}" for a, b in zip(cividis[at], cividis[at + 1]))
+
+
 CLEARANCE = ("--set", "circular_spline.backlash_offset=0.002", "--set", "circular_spline.width=2")
 
 
@@ -350,6 +360,48 @@ class Reports(unittest.TestCase):
                 read = picture.locator("xpath=..").locator(".reading").inner_text()
                 shown = float(read.split(": ")[1])
                 self.assertAlmostEqual(shown, 1000 * gaps[len(gaps) // 2, 0, 1], delta=1e-4)
+
+    def test_every_slice_colours_the_tooth_space(self):
+        import h5py
+        result = Path(FOLDER.name) / "coloured.h5"
+        hdconj("contact", TYPE_50, "--set", "slices.count=3", "--set", "circular_spline.width=2", "--tilt", "0,0.1",
+               "-o", str(result), "-q")
+        with h5py.File(result) as file:
+            case = 1 - int(file["contact"].attrs["written_case"])  # the other has a colour for each flank and slice
+            gaps = 1000 * file[f"contact/case_{case:03}/gaps/gap"][()]
+        colours = [[scale_colour(gap / 20) for gap in space.flat] for space in gaps]
+        space = next(i for i, each in enumerate(colours) if len(set(each)) == 6 and gaps[i].min() >= 0)
+        with Page(report("coloured-read", str(result)), color_scheme="light") as page:
+            see(page, "axial")
+            page.locator("#axial input[data-tilt]").fill(str(case))
+            page.evaluate("""() => {
+              const plain = CanvasRenderingContext2D.prototype.fill;
+              window.fills = [];
+              CanvasRenderingContext2D.prototype.fill = function (...given) {
+                if (this.canvas.className === "section") fills.push(this.fillStyle);
+                return plain.apply(this, given);
+              };
+            }""")
+            page.locator("#axial label:has-text('Tooth space') select").select_option(index=space)
+            fills = page.evaluate("fills")
+        for flank in (colours[space][:3], colours[space][3:]):  # slices at the ends have half a slice each
+            first, middle, last = (fills.count(each) for each in flank)
+            self.assertGreater(first, 5)
+            self.assertEqual((middle, last), (2 * first, first))
+
+    def test_a_touch_has_the_colour_of_no_gap(self):
+        import h5py
+        result = Path(FOLDER.name) / "touch.h5"
+        hdconj("contact", f"{SOURCE}/data/scenes/type-50-coned.toml", "--set", "slices.count=3", "--surface", "tilted",
+               "-o", str(result), "-q")
+        with h5py.File(result) as file:  # rounding leaves -2e-12 um
+            self.assertAlmostEqual(1000 * file["contact/map/gap"][()].min(), 0, delta=1e-6)
+        with Page(report("touch-read", str(result)), color_scheme="light") as page:
+            see(page, "axial")
+            fills = page.locator("#axial .chart g[shape-rendering] path").evaluate_all(
+                "all => all.map(each => each.getAttribute('fill'))")
+            self.assertIn("rgb(0,32,77)", fills)
+            self.assertNotIn("#d55e00", fills)
 
     def test_teeth_under_torque_are_those_of_the_program(self):
         import h5py

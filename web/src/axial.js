@@ -48,6 +48,12 @@ function smallestOf(contact, index) {
   } };
 }
 
+/** Rounding makes no interference of a touch.
+ * @param {number} gap  in um */
+function gapColour(gap) {
+  return scaleColour(gap < -0.01 ? -1 : Math.max(0, gap) / limit);
+}
+
 function gapLegend() {
   return make("span", {}, legend("0", `${limit} um ${say("andMore")}`), " ", make("span", { class: "interference" },
     say("interference")));
@@ -57,7 +63,7 @@ function gapLegend() {
 function gapMaps(smallest) {
   return [say("left"), say("right")].map((name, flank) => heatMap(`${say("gapMap")}, ${name}`, say("spaceAngle"),
     say("height"), Array.from(smallest.angle, (a) => a / degree), smallest.z, (i, k) => smallest.at(i, flank, k),
-    (v) => scaleColour(v < -0.01 ? -1 : v / limit), gapLegend()).figure);
+    gapColour, gapLegend()).figure);
 }
 
 /** The cases of a study: their figures, maps and tooth space; a slider where there are several.
@@ -111,6 +117,13 @@ function fractionsOf(contact, { names, areTilted }, worst) {
   }));
 }
 
+/** @typedef {{x: number, y: number, depth: number}} Place  on a picture in space */
+
+/** @param {Place} a @param {Place} b @returns {Place} half-way */
+function between(a, b) {
+  return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, depth: (a.depth + b.depth) / 2 };
+}
+
 /** One tooth space over the face width, turned by dragging; its flanks coloured by the gap map, or each slice of a
  * flank by its smallest gap.
  * @param {import("./data.js").Drive} drive @param {import("./data.js").Group|undefined} map
@@ -149,13 +162,21 @@ function surfaceFigure(drive, map, smallest) {
   const draw = () => {
     ctx.fillStyle = colour("paper");
     ctx.fillRect(0, 0, canvas.width, canvas.height);
+    /** @type {{corners: Place[], depth: number, fill: string}[]} */
     const quads = [];
+    /** A strip between two slices, coloured as its end at slice @p k.
+     * @param {number} k @param {number} i @param {Place[]} corners */
+    const strip = (k, i, corners) => {
+      const g = gapAt(k, i);
+      quads.push({ corners, depth: corners.reduce((sum, c) => sum + c.depth, 0),
+        fill: Number.isFinite(g) ? gapColour(g) : colour("spline") });
+    };
     for (let k = 0; k + 1 < z.length; ++k)
-      for (let i = 0; i + step < points; i += step) {
-        const corners = [project(k, i), project(k, i + step), project(k + 1, i + step), project(k + 1, i)];
-        const g = gapAt(k, i);
-        quads.push({ corners, depth: corners.reduce((sum, c) => sum + c.depth, 0),
-          fill: Number.isFinite(g) ? scaleColour(g < -0.01 ? -1 : g / limit) : colour("spline") });
+      for (let i = 0; i + step < points; i += step) { // each slice colours half the way to the next
+        const near = [project(k, i), project(k, i + step)], far = [project(k + 1, i), project(k + 1, i + step)];
+        const half = near.map((a, n) => between(a, far[n]));
+        strip(k, i, [...near, half[1], half[0]]);
+        strip(k + 1, i, [...half, far[1], far[0]]);
       }
     ctx.lineWidth = 1;
     quads.sort((a, b) => b.depth - a.depth);
