@@ -248,6 +248,27 @@ class Reports(unittest.TestCase):
             self.assertEqual(page.locator("#compare tbody tr").count(), 1)
             self.assertEqual(page.locator("#compare tr.differs").count(), 0)
 
+    def test_compare_marks_every_pair_that_differs(self):
+        import h5py
+        plain = Path(FOLDER.name) / "pair.h5"
+        hdconj("contact", TYPE_50, *CLEARANCE, "-o", str(plain), "-q")
+        files = []
+        for factor, error in (1, 0.2), (0.9, 0.01), (1.1, 0.01):  # the first agrees with each of the others
+            files.append(str(Path(FOLDER.name) / f"pair-{factor}.h5"))
+            grown(plain, files[-1], {})
+            with h5py.File(files[-1], "r+") as file:
+                value = file["contact/contact_fraction"]
+                file["contact/contact_fraction_error"][...] = error * value[()]
+                value[...] = factor * value[()]
+        for chosen, marked in ((0, 1, 2), 1), ((0, 1), 0):
+            with Page(report("pair" + "".join(map(str, chosen)), *(files[i] for i in chosen))) as page:
+                see(page, "compare")
+                page.locator("#compare input[type=search]").fill("contact/contact contact_fraction")
+                row = page.locator("#compare tbody tr")
+                self.assertEqual(row.count(), 1)
+                self.assertEqual(page.locator("#compare tr.differs").count(), marked, chosen)
+                self.assertIn("differs beyond both errors" if marked else "within the errors", row.inner_text())
+
     def test_drives_of_one_name_are_told_apart(self):
         result = Path(FOLDER.name) / "again.h5"
         hdconj("solve", TYPE_50, "-o", str(result), "-q")

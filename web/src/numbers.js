@@ -89,10 +89,11 @@ export function compareView(drives) {
     .map((f) => [`${placeOf(f)} ${nameOf(f)}`, f]))); // how long the computer took says nothing of a drive
   const keys = [...new Set(tables.flatMap((table) => [...table.keys()]))];
   const rows = keys.map((key) => {
-    const found = tables.map((table) => table.get(key)), known = found.filter(Boolean);
-    const first = /** @type {import("./data.js").Figure} */ (known[0]);
-    const mark = known.some((f) => f && Math.abs(f.value - first.value) > (f.error || 0) + (first.error || 0));
-    const exact = mark && known.some((f) => f && !Number.isFinite(f.error));
+    const found = tables.map((table) => table.get(key));
+    const known = found.flatMap((f) => f || []), first = known[0];
+    const pairs = known.flatMap((a, i) => known.slice(i + 1).map((b) => [a, b]))
+      .filter(([a, b]) => Math.abs(a.value - b.value) > (a.error || 0) + (b.error || 0));
+    const mark = pairs.length > 0, exact = pairs.every((pair) => pair.some((f) => !Number.isFinite(f.error)));
     return {
       mark, search: `${key} ${first.units} ${first.meaning} ${mark ? say("differs") : ""}`.toLowerCase(),
       cells: [placeOf(first), make("span", {}, nameOf(first), make("small", {}, first.meaning), mark
