@@ -756,6 +756,29 @@ class Reports(unittest.TestCase):
                 page.wait_for_timeout(300)
                 self.assertNotEqual(page.evaluate("location.hash"), before)
 
+    def test_view_is_kept_for_drives_of_one_size(self):
+        scenes = []
+        for diameter in "80", "32":
+            scenes.append(str(Path(FOLDER.name) / f"size-{diameter}.toml"))
+            hdconj("design", "--ratio", "100", "--diameter", diameter, "-o", scenes[-1])
+        width = "new URLSearchParams(location.hash.slice(1)).get('vw')"
+        for file, kept in (report("sizes", *scenes), False), (two_drives(), True):
+            with Page(file) as page:
+                whole, views = "document.querySelector('canvas.mesh').toDataURL()", []
+                drives = page.locator("header select").first
+                for act in (lambda: None, lambda: page.get_by_role("button", name="Whole drive").click()):
+                    drives.select_option(index=0)
+                    page.get_by_role("button", name="One tooth").click()
+                    drives.select_option(index=1)
+                    settled(page)
+                    act()
+                    page.wait_for_timeout(1500)
+                    views.append(page.evaluate(whole))
+                self.assertEqual(views[0] != views[1], kept)
+                page.get_by_role("button", name="One tooth").click()
+                page.wait_for_timeout(300)
+                self.assertLess(float(page.evaluate(width)), 2)
+
 
 class Times(unittest.TestCase):
     """Seconds that a reader waits; other programs should not run meanwhile."""

@@ -16,9 +16,11 @@ export class View {
     this.whole = whole;
     this.changed = changed;
     this.width = this.height = this.dpr = 1;
-    this.x = remembered(key + "x", whole.x);
-    this.y = remembered(key + "y", whole.y);
-    this.span = remembered(key + "w", whole.span);
+    const kept = Math.abs(remembered(key + "s", whole.span) / whole.span - 1) < 0.01 ? remembered // of a drive as large
+      : (/** @type {string} */ _, /** @type {number} */ otherwise) => otherwise;
+    this.x = kept(key + "x", whole.x);
+    this.y = kept(key + "y", whole.y);
+    this.span = kept(key + "w", whole.span);
     /** Takes a drag that is not to move the picture; told the point in mm and "start", "move" or "end".
      * @type {((x: number, y: number, what: string) => boolean)|null} */
     this.onDrag = null;
@@ -72,6 +74,7 @@ export class View {
     remember(this.key + "x", this.x);
     remember(this.key + "y", this.y);
     remember(this.key + "w", this.span);
+    remember(this.key + "s", this.whole.span);
     this.changed();
   }
 
