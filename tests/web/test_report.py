@@ -779,6 +779,27 @@ class Reports(unittest.TestCase):
                 page.wait_for_timeout(300)
                 self.assertLess(float(page.evaluate(width)), 2)
 
+    def test_place_that_is_shown_is_chosen(self):
+        tilt = ("--set", "tilt.kind=radial", "--set", "tilt.angle_deg=0.2")
+        with Page(report("spots", TYPE_50, *tilt, "--with", "wedm")) as page:
+            see(page, "wedm")
+            face = page.locator("#wedm label:has-text('Face') select")
+            page.locator("#wedm li:has-text('upper') button").first.click()
+            page.wait_for_timeout(300)
+            self.assertEqual(face.input_value(), "upper")
+            picture = "document.querySelector('#wedm canvas').toDataURL()"
+            upper = page.evaluate(picture)
+            face.select_option("lower")
+            page.wait_for_timeout(300)
+            self.assertNotEqual(page.evaluate(picture), upper)
+        flexspline = ("--set", "wedm.part=flexspline", "--set", "wedm.overlap=0.05")
+        with Page(report("set-ups", TYPE_50, *flexspline, "--with", "wedm")) as page:
+            see(page, "wedm")
+            set_up = page.locator("#wedm select").first
+            set_up.select_option("set_up_2")
+            page.locator("#wedm li button").first.click()
+            self.assertEqual(set_up.input_value(), "set_up_1")
+
 
 class Times(unittest.TestCase):
     """Seconds that a reader waits; other programs should not run meanwhile."""

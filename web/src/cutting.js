@@ -17,6 +17,8 @@ export function cuttingView(drive) {
   const nominal = column(setUps[0][1], "lower");
   const radius = nominal.reduce((most, v) => Math.max(most, Math.abs(v)), 0);
   const view = new View(canvas, "c", { x: 0, y: 0, span: 2.2 * radius }, () => requestAnimationFrame(draw));
+  const setUpOf = (/** @type {import("./data.js").Residual} */ spot) =>
+    setUps.findIndex(([name]) => name === `set_up_${spot.set_up}`);
   const passes = () => Object.keys(setUps[setUp][1].groups || {}).filter((name) => name.startsWith("pass_"));
 
   /** @param {ArrayLike<number>} points @param {string} stroke @param {number} width @param {boolean} closed */
@@ -42,11 +44,19 @@ export function cuttingView(drive) {
     });
     ctx.fillStyle = colour("accent");
     for (const spot of view.span < 20 * drive.module ? drive.residuals : []) {
-      if (spot.upper !== (face === 1)) continue;
+      if (spot.upper !== (face === 1) || setUpOf(spot) !== setUp) continue;
       const p = view.toPixels(spot.x, spot.y);
       ctx.fillRect(p.x - 3, p.y - 3, 6, 6);
     }
   }
+  const setUpChoice = choice("", setUps.map(([name]) => name), 0, (i) => {
+    setUp = i;
+    draw();
+  });
+  const faceChoice = choice(say("face"), [say("lower"), say("upper")], 0, (i) => {
+    face = i;
+    draw();
+  });
   onTheme(canvas, draw);
   canvas.addEventListener("keydown", (/** @type {KeyboardEvent} */ e) => {
     const step = view.span / 10;
@@ -73,19 +83,15 @@ export function cuttingView(drive) {
   const list = spots.size ? make("ol", {}, ...[...spots].slice(0, 40).map(([text, { spot, count }]) => make("li", {},
     `${text}: ${count} ${say("places")}, ${say("tooth")} ${spot.tooth} `,
     make("button", { type: "button", click: () => {
+      setUp = setUpOf(spot);
       face = spot.upper ? 1 : 0;
+      setUpChoice.querySelector("select").selectedIndex = setUp;
+      faceChoice.querySelector("select").selectedIndex = face;
       view.show(spot.x, spot.y, 2 * drive.module);
     } }, say("jump"))))) : make("p", {}, say("noResiduals"));
   const names = passes();
   return make("div", {}, make("div", { class: "controls" },
-    setUps.length > 1 ? choice("", setUps.map(([name]) => name), 0, (i) => {
-      setUp = i;
-      draw();
-    }) : null,
-    choice(say("face"), [say("lower"), say("upper")], 0, (i) => {
-      face = i;
-      draw();
-    }),
+    setUps.length > 1 ? setUpChoice : null, faceChoice,
     choice(say("pass"), [say("allPasses"), ...names.map((_, i) => String(i + 1))], 0, (i) => {
       pass = i;
       draw();
