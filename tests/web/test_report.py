@@ -447,6 +447,7 @@ class Reports(unittest.TestCase):
                 self.assertLess(gap, 0)
                 self.assertGreater(gap, 3 * gaps.min())
             self.assertIn("Nothing is exaggerated", page.locator(".loaded").inner_text())
+            self.assertIn("wave generator at 0.00°", page.locator(".loaded").inner_text())
             self.assertEqual(page.get_by_role("button", name="Play").count(), 0)
             page.get_by_role("button", name="Under torque").click()
             self.assertEqual(page.get_by_role("button", name="Play").count(), 1)
@@ -756,6 +757,28 @@ class Reports(unittest.TestCase):
                 page.wait_for_timeout(300)
                 self.assertNotEqual(page.evaluate("location.hash"), before)
 
+
+    def test_place_that_is_shown_is_chosen(self):
+        tilt = ("--set", "tilt.kind=radial", "--set", "tilt.angle_deg=0.2")
+        with Page(report("spots", TYPE_50, *tilt, "--with", "wedm")) as page:
+            see(page, "wedm")
+            face = page.locator("#wedm label:has-text('Face') select")
+            page.locator("#wedm li:has-text('upper') button").first.click()
+            page.wait_for_timeout(300)
+            self.assertEqual(face.input_value(), "upper")
+            picture = "document.querySelector('#wedm canvas').toDataURL()"
+            upper = page.evaluate(picture)
+            face.select_option("lower")
+            page.wait_for_timeout(300)
+            self.assertNotEqual(page.evaluate(picture), upper)
+        flexspline = ("--set", "wedm.part=flexspline", "--set", "wedm.overlap=0.05")
+        with Page(report("set-ups", TYPE_50, *flexspline, "--with", "wedm")) as page:
+            see(page, "wedm")
+            set_up = page.locator("#wedm select").first
+            set_up.select_option("set_up_2")
+            page.locator("#wedm li button").first.click()
+            self.assertEqual(set_up.input_value(), "set_up_1")
+
     def test_view_is_kept_for_drives_of_one_size(self):
         scenes = []
         for diameter in "80", "32":
@@ -779,26 +802,36 @@ class Reports(unittest.TestCase):
                 page.wait_for_timeout(300)
                 self.assertLess(float(page.evaluate(width)), 2)
 
-    def test_place_that_is_shown_is_chosen(self):
-        tilt = ("--set", "tilt.kind=radial", "--set", "tilt.angle_deg=0.2")
-        with Page(report("spots", TYPE_50, *tilt, "--with", "wedm")) as page:
-            see(page, "wedm")
-            face = page.locator("#wedm label:has-text('Face') select")
-            page.locator("#wedm li:has-text('upper') button").first.click()
-            page.wait_for_timeout(300)
-            self.assertEqual(face.input_value(), "upper")
-            picture = "document.querySelector('#wedm canvas').toDataURL()"
-            upper = page.evaluate(picture)
-            face.select_option("lower")
-            page.wait_for_timeout(300)
-            self.assertNotEqual(page.evaluate(picture), upper)
-        flexspline = ("--set", "wedm.part=flexspline", "--set", "wedm.overlap=0.05")
-        with Page(report("set-ups", TYPE_50, *flexspline, "--with", "wedm")) as page:
-            see(page, "wedm")
-            set_up = page.locator("#wedm select").first
-            set_up.select_option("set_up_2")
-            page.locator("#wedm li button").first.click()
-            self.assertEqual(set_up.input_value(), "set_up_1")
+    def test_scale_bar_of_a_small_cup_fits(self):
+        scene, result = (str(Path(FOLDER.name) / f"small-cup.{ending}") for ending in ("toml", "h5"))
+        hdconj("design", "--ratio", "100", "--diameter", "12", "-o", scene)
+        hdconj("load", scene, "--torque", "0.4", "--set", "slices.count=3", "--no-curve", "--no-errors", "-o", result,
+               "-q")
+        with Page(report("small-cup-read", result)) as page:
+            see(page, "load")
+            page.evaluate("""() => {
+              window.drawn = [];
+              for (const name of ["moveTo", "lineTo", "fillText"]) {
+                const plain = CanvasRenderingContext2D.prototype[name];
+                CanvasRenderingContext2D.prototype[name] = function (...given) {
+                  if (this.canvas.className === "section") drawn.push([name, ...given]);
+                  return plain.apply(this, given);
+                };
+              }
+            }""")
+            page.locator("label:has-text('Light or dark') select").select_option(label="Dark")
+            (_, left, _), (_, right, _), (_, text, *_) = page.evaluate("""() => {
+              const at = drawn.findIndex(each => each[0] === "fillText" && /^[0-9.]+ mm$/.test(each[1]));
+              return drawn.slice(at - 2, at + 1);
+            }""")
+        self.assertGreater(right - left, 60)
+        self.assertLess(right, 400)
+        # the section is 920 pixels wide or 600 high, whichever is less
+        import h5py
+        with h5py.File(result) as file:
+            z, r = file["load/shape/z"][()], file["load/shape/r"][()]
+        scale = min(920 / (z.max() - z.min()), 600 / (r.max() - r.min()))
+        self.assertAlmostEqual((right - left) / scale, float(text.split()[0]), places=9)
 
 
 class Times(unittest.TestCase):

@@ -3,7 +3,7 @@
 
 import { caseAt, caseNames, differencesOf, writtenCase } from "./cases.js";
 import { chart } from "./curves.js";
-import { column, errorOf, groupAt, plusMinus, shown } from "./data.js";
+import { column, errorOf, fixed, groupAt, plusMinus, shown } from "./data.js";
 import { choice, colour, legend, make, onTheme, remember, remembered, scaleColour } from "./dom.js";
 import { heatMap } from "./heat_map.js";
 import { keyFigures } from "./keys.js";
@@ -219,7 +219,7 @@ function surfaceFigure(drive, map, smallest) {
     turn(by[0], by[1]);
   });
   return make("figure", { class: "wide" }, make("figcaption", {}, say("surface")), canvas,
-    angle.length ? choice(say("space"), Array.from(angle, (a) => (a / degree).toFixed(2) + "°"), space, (i) => {
+    angle.length ? choice(say("space"), Array.from(angle, (a) => fixed(a / degree, 2) + "°"), space, (i) => {
       space = i;
       draw();
     }) : null, make("p", { class: "note" }, say("turnHelp")), stations ? gapLegend() : null);

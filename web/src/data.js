@@ -168,6 +168,19 @@ export function brief(value) {
   return String(Number(value.toPrecision(4)));
 }
 
+/** With so many decimals, no minus before zero.
+ * @param {number} value @param {number} decimals */
+export function fixed(value, decimals) {
+  return value.toFixed(decimals).replace(/^-(?=[0.]*$)/, "");
+}
+
+/** The largest length of one digit, 1, 2 or 5, that is not longer: for a scale bar.
+ * @param {number} most */
+export function roundLength(most) {
+  const power = 10 ** Math.floor(Math.log10(most));
+  return Number(((([5, 2].find((d) => d * power <= most)) || 1) * power).toPrecision(1));
+}
+
 /** From the smallest to the largest finite value.
  * @param {ArrayLike<number>[]} lists @returns {[number, number]} */
 export function range(lists) {

@@ -3,7 +3,7 @@
 
 import { caseAt, caseNames, writtenCase } from "./cases.js";
 import { bars, chart } from "./curves.js";
-import { brief, column, errorOf, groupAt, isUnknown, plusMinus, shown, shownError } from "./data.js";
+import { brief, column, errorOf, groupAt, isUnknown, plusMinus, roundLength, shown, shownError } from "./data.js";
 import { choice, colour, legend, make, onTheme, remember, remembered } from "./dom.js";
 import { heatMap, strong } from "./heat_map.js";
 import { keyFigures } from "./keys.js";
@@ -114,7 +114,7 @@ function cupSection(load, index) {
     "height": 640 });
   const ctx = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
   const lowR = Math.min(...r), highR = Math.max(...r), lowZ = Math.min(...z), highZ = Math.max(...z);
-  const scale = Math.min(920 / (highZ - lowZ), 600 / (highR - lowR));
+  const scale = Math.min(920 / (highZ - lowZ), 600 / (highR - lowR)), bar = roundLength(160 / scale);
   const reading = make("div", { class: "reading" });
   let row = 0;
   const draw = () => {
@@ -139,9 +139,9 @@ function cupSection(load, index) {
     ctx.font = "22px system-ui, sans-serif";
     ctx.beginPath();
     ctx.moveTo(60, 560);
-    ctx.lineTo(60 + 5 * scale, 560); // 5 mm of the drawing
+    ctx.lineTo(60 + bar * scale, 560);
     ctx.stroke();
-    ctx.fillText("5 mm", 66, 550);
+    ctx.fillText(`${bar} mm`, 66, 550);
     ctx.fillText(say("bottomOpen"), 60, 600);
     reading.textContent = `${(phi[row * kept] / degree).toFixed(1)}°: ≤ ${brief(most)} MPa`;
   };

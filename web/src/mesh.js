@@ -2,7 +2,7 @@
 // The view of the teeth in mesh: controls, keys, readings.
 
 import { caseAt, caseNames, writtenCase } from "./cases.js";
-import { column, errorOf, groupAt, shown, shownError } from "./data.js";
+import { column, errorOf, fixed, groupAt, shown, shownError } from "./data.js";
 import { choice, legend, make, onTheme, remember, remembered, toggle } from "./dom.js";
 import { keyFigures } from "./keys.js";
 import { LoadedMesh, loadedTeeth } from "./loaded.js";
@@ -105,7 +105,7 @@ function teethView(drive, loaded, show) {
   function readLeast() {
     if (playing) return;
     const found = mesh.smallest(s.slice, s.angle, s.turn);
-    least.value = `${um(found.gap)} um ± ${shownError(mesh.gapError * 1000)} um`;
+    least.value = `${fixed(found.gap * 1000, 2)} um ± ${shownError(mesh.gapError * 1000)} um`;
     least.dataset.gap = String(found.gap * 1000);
     least.dataset.space = String(found.space);
     readComputed();
@@ -136,7 +136,7 @@ function teethView(drive, loaded, show) {
       return;
     }
     const gap = mesh.gap(at, s.slice, space, s.angle, s.turn);
-    pointed.value = `${um(gap)} um ± ${shownError(mesh.gapError * 1000)} um`;
+    pointed.value = `${fixed(gap * 1000, 2)} um ± ${shownError(mesh.gapError * 1000)} um`;
     pointed.dataset.gap = String(gap * 1000);
   }
   const play = make("button", { type: "button", class: "play", click: () => {
@@ -197,7 +197,7 @@ function teethView(drive, loaded, show) {
       remember("u", on ? 1 : 0);
       show(on);
     }) : null,
-    mesh.z.length > 1 ? choice(say("slice"), mesh.z.map((z) => z.toFixed(2) + " mm"), s.slice, (k) => {
+    mesh.z.length > 1 ? choice(say("slice"), mesh.z.map((z) => fixed(z, 2) + " mm"), s.slice, (k) => {
       s.slice = k;
       remember("k", k);
       settle();
@@ -254,13 +254,8 @@ function loadedNote(drive, mesh) {
   const minutes = 60 / degree, twist = column(load, "twist")[index] * minutes, known = errorOf(load, "twist", index);
   const error = known === null ? null : known * minutes;
   return `${say("loadedAt")} ${torque} N m, ${say("loadedCase")} ${caseNames(load)[index]}: ${say("loadedTwist")} ${
-    shown(twist, error)}${error ? ` ± ${shownError(error)}` : ""} arcmin, ${say("loadedAngle")} ${(mesh.loadedAngle / degree + 0).toFixed(2)}°. ${say("loadedTrue")}`;
-}
-
-/** A length in um to 0.01, no minus before zero.
- * @param {number} mm */
-function um(mm) {
-  return (Math.round(mm * 1e5) / 100 + 0).toFixed(2);
+    shown(twist, error)}${error ? ` ± ${shownError(error)}` : ""} arcmin, ${say("loadedAngle")} ${
+    fixed(mesh.loadedAngle / degree, 2)}°. ${say("loadedTrue")}`;
 }
 
 /** @param {number} a @param {number} b */

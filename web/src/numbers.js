@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of figures: of one drive, and of several side by side.
 
-import { column, figuresOf, namesOf, shown, shownError } from "./data.js";
+import { column, figuresOf, namesOf, roundLength, shown, shownError } from "./data.js";
 import { make, svg } from "./dom.js";
 import { say } from "./texts.js";
 
@@ -127,7 +127,7 @@ function overlay(drives) {
     "viewBox": `${low - more} ${bottom - more} ${high - low + 2 * more} ${top - bottom + 2 * more}` },
     ...shapes.map((points, i) => svg("polyline", { "class": `line s${i % 4}`, "vector-effect": "non-scaling-stroke",
       "points": points.map((p) => p.map((v) => v.toFixed(5)).join(",")).join(" ") })));
-  const bar = 10 ** Math.floor(Math.log10((high - low) / 4)), size = (high - low) / 40;
+  const bar = roundLength((high - low) / 4), size = (high - low) / 40;
   picture.append(svg("path", { "class": "line", "vector-effect": "non-scaling-stroke",
     "d": `M${low} ${bottom + size * 2}h${bar}` }), svg("text", { "x": low, "y": bottom + size * 1.4, "font-size": size,
     "fill": "currentColor" }, `${bar} mm`));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn over the teeth when it is asked for: conjugate branches, forces, the ruler.
 
-import { column, groupAt } from "./data.js";
+import { column, groupAt, roundLength } from "./data.js";
 import { turned } from "./motion.js";
 
 /** The conjugate branches and the tooth in many places, in the space nearest to the middle of the picture.
@@ -73,16 +73,14 @@ export function paintRuler(painter, ctx, view, ends) {
   ctx.strokeStyle = ctx.fillStyle = painter.colour.ink;
   ctx.lineWidth = 2;
   ctx.font = "13px system-ui, sans-serif";
-  const most = 120 / view.scale, power = 10 ** Math.floor(Math.log10(most));
-  const length = [5, 2, 1].map((d) => d * power).find((d) => d <= most) || power;
-  const y = view.height - 14;
+  const length = roundLength(120 / view.scale), y = view.height - 14;
   ctx.beginPath();
   ctx.moveTo(14, y - 5);
   ctx.lineTo(14, y);
   ctx.lineTo(14 + length * view.scale, y);
   ctx.lineTo(14 + length * view.scale, y - 5);
   ctx.stroke();
-  const text = length >= 1 ? `${length} mm` : `${Number((length * 1000).toPrecision(3))} um`;
+  const text = length >= 1 ? `${length} mm` : `${Number((length * 1000).toPrecision(1))} um`;
   ctx.fillText(text, 14, y - 9);
   if (ends.length < 2) return;
   const [a, b] = ends.map((end) => view.toPixels(end.x, end.y));
