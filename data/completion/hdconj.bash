@@ -33,7 +33,7 @@ _hdconj()
                 -- "$current"))
             return ;;
         --register) COMPREPLY=($(compgen -W "datum turn least-squares minimum-zone" -- "$current")); return ;;
-        --with) COMPREPLY=($(compgen -W "solve contact load wedm" -- "$current")); return ;;
+        --with) COMPREPLY=($(compgen -W "solve contact load run wedm design" -- "$current")); return ;;
         --for) COMPREPLY=($(compgen -W "solve contact load run" -- "$current")); return ;;
     esac
 

@@ -4,6 +4,7 @@
 
 It knows the verbs and the options of the program, no more and no fewer, and bash completes them.
 """
+import re
 import shutil
 import subprocess
 import sys
@@ -11,7 +12,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "docs"))
-from command_line import options, verbs  # noqa: E402
+from command_line import help_text, options, verbs  # noqa: E402
 
 FILE = ROOT / "data" / "completion" / "hdconj.bash"
 ALONE = {"help", "study", "version"}  # verbs that the program does not list; tests/python has the options of study
@@ -38,6 +39,10 @@ def main(program):
             faults.append(f"options of {verb}: {sorted(offered ^ expected)}")
     if completed("hdconj", "contact", "--kind", "d") != {"draft"}:
         faults.append("--kind d is not completed to draft")
+    told = re.search(r"what else is computed: ([a-z, ]+) \[", " ".join(help_text(program, "report").split()))
+    offered = completed("hdconj", "report", "--with", "")
+    if not told or offered != set(told[1].split(", ")):
+        faults.append(f"words of --with: {sorted(offered)}")
     print(*faults, f"{len(known)} verbs, {len(faults)} faults", sep="\n")
     return 1 if faults or not known else 0
 
