@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 from . import _results
+from ._errors import Fault, InputError, fault_text
 
 
 def _labelled(ax: Any, x: str, y: str) -> None:
@@ -102,6 +103,14 @@ def _inspection(result: Any, ax: Any) -> None:
     _labelled(ax, "arc length from the root [mm]", "deviation [um]")
 
 
+def _neutral_curve(result: Any, ax: Any) -> None:
+    """The neutral curve and the surface of the cam."""
+    for name in ("neutral_curve", "inner_surface"):
+        ax.plot(*result[name].T, label=name.replace("_", " "))
+    ax.set_aspect("equal")
+    _labelled(ax, "x [mm]", "y [mm]")
+
+
 def _measurement(result: Any, ax: Any) -> None:
     """The samples of the test rig."""
     ax.plot(result.twist * (180 * 60 / math.pi), result.torque / 1000, ".")
@@ -115,6 +124,7 @@ _DRAWINGS: dict[type, Callable[[Any, Any], None]] = {
     _results.RunStudy: _running,
     _results.WireProgram: _wire,
     _results.Accuracy: _accuracy,
+    _results.NeutralCurve: _neutral_curve,
     _results.Inspection: _inspection,
     _results.Measurement: _measurement,
 }
@@ -124,7 +134,9 @@ def draw(result: _results.Result, ax: Any = None) -> Any:
     """Draws a result into axes of matplotlib, by default new ones, and returns them."""
     drawing = _DRAWINGS.get(type(result))
     if drawing is None:
-        raise TypeError(f"{type(result).__name__} has no drawing")
+        name = type(result).__name__
+        faults = (Fault("result", 0, name, f"{name} has no drawing", "draw its drive: solve(result.scene).plot()"),)
+        raise InputError(faults, fault_text(faults))
     if ax is None:
         import matplotlib.pyplot as plt
 

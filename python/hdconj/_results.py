@@ -119,7 +119,13 @@ class Result(Group):
         _hdf5.write(self, file)
 
     def report(self, file: str | os.PathLike[str]) -> None:
-        """Write one HTML page (:func:`report`) of this result; of a verb that no page shows, of its scene."""
+        """Write one HTML page (:func:`report`) of this result; of a verb that no page shows, of its scene.
+
+        Raises
+        ------
+        InputError
+            Of a :class:`NeutralCurve`: a page shows the drive that ``hdconj solve --completed DRIVE.toml`` writes.
+        """
         from ._verbs import report
 
         is_shown = isinstance(self, (Solution, ContactStudy, LoadStudy, RunStudy))
@@ -194,6 +200,11 @@ class Result(Group):
         Returns
         -------
         matplotlib.axes.Axes
+
+        Raises
+        ------
+        InputError
+            Of a :class:`Design`, which has no drawing: draw ``solve(design.scene)``.
         """
         from . import _plot
 
@@ -222,14 +233,24 @@ class Result(Group):
         return _plot.outline_svg(self)
 
 
+def _with_pairs(frame: Any, group: Group, names: tuple[str, ...], parts: tuple[str, str]) -> Any:
+    """A table of a group, with two columns for each dataset of pairs."""
+    for name in names:
+        for part, values in zip(parts, group.datasets[name].values.T):
+            frame[f"{name}_{part}"] = values
+            frame.attrs["units"][f"{name}_{part}"] = group.datasets[name].units
+    return frame
+
+
 class Solution(Result):
     """Result of :func:`hdconj.solve`: the conjugate circular spline."""
 
     __slots__ = ()
 
     def to_pandas(self, dim: str | None = None) -> Any:
-        """The conjugate zones as a ``pandas.DataFrame``."""
-        return Group.to_pandas(self.groups["conjugate_zones"], dim or "zone")
+        """The conjugate zones as a ``pandas.DataFrame``, with begin and end of u, phi and t."""
+        zones = self.groups["conjugate_zones"]
+        return _with_pairs(zones.to_pandas(dim or "zone"), zones, ("u", "phi", "t"), ("begin", "end"))
 
 
 class ContactStudy(Result):
@@ -266,12 +287,7 @@ class WireProgram(Result):
     def to_pandas(self, dim: str | None = None) -> Any:
         """The moves of the first pass as a ``pandas.DataFrame``, with x and y of the wire in both faces."""
         moves = self.groups["set_up_1"].groups["pass_1"]
-        frame = moves.to_pandas(dim)
-        for face in ("lower", "upper"):
-            for axis, values in zip("xy", moves.datasets[face].values.T):
-                frame[f"{face}_{axis}"] = values
-                frame.attrs["units"][f"{face}_{axis}"] = moves.datasets[face].units
-        return frame
+        return _with_pairs(moves.to_pandas(dim), moves, ("lower", "upper"), ("x", "y"))
 
 
 class Accuracy(Result):

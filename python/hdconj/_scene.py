@@ -135,10 +135,23 @@ class Scene:
         return cls._of((text, name, os.fspath(folder)))
 
     @classmethod
-    def from_dict(cls, tables: Mapping[str, Any], name: str = "dictionary") -> Scene:
-        """Read a scene from nested dictionaries, the tables of TOML; a key with None is left out."""
+    def from_dict(
+        cls, tables: Mapping[str, Any], name: str = "dictionary", folder: str | os.PathLike[str] = ""
+    ) -> Scene:
+        """Read a scene from nested dictionaries, the tables of TOML.
+
+        Parameters
+        ----------
+        tables : mapping
+            A key with None is left out.
+        name : str
+            How messages call it.
+        folder : path
+            Where relative file names start, such as :attr:`folder` of the scene that a dictionary is of; empty: the
+            working directory.
+        """
         _require(isinstance(tables, Mapping), "from_dict", 'a mapping such as {"drive": {"module": 0.25}}', tables)
-        return cls.from_toml(toml_text(tables), name)
+        return cls.from_toml(toml_text(tables), name, folder)
 
     def with_(self, changes: Mapping[str, Value]) -> Scene:
         """The same scene with some keys changed, as ``--set`` of the program does.
@@ -172,13 +185,18 @@ class Scene:
         return self._core.text
 
     def to_dict(self) -> dict[str, Any]:
-        """The scene as nested dictionaries, changes included."""
+        """The scene as nested dictionaries, changes included; relative file names start at :attr:`folder`."""
         return tomllib.loads(self._core.text)
 
     @property
     def name(self) -> str:
         """Name of the drive."""
         return self._core.name
+
+    @property
+    def folder(self) -> str:
+        """Where relative file names start; empty: the working directory."""
+        return self._source[2]
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError("a scene does not change; with_() makes another")

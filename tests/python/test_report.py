@@ -43,6 +43,17 @@ def test_a_result_reports_its_own_numbers(tmp_path):
     assert {"case_000", "case_001"} <= set(groups)  # both tilts that were asked for
 
 
+TABLE = SOURCE / "data/scenes/cam-table.toml"
+
+
+def test_a_scene_of_dictionaries_has_a_folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    scene = hdconj.Scene.load(TABLE)
+    assert scene.check() == ()
+    assert hdconj.Scene.from_dict(scene.to_dict(), folder=scene.folder).check() == ()
+    assert "cannot be read" in hdconj.Scene.from_dict(scene.to_dict()).check()[0].reason
+
+
 def test_a_cut_file_and_a_bad_scene_are_refused_together(tmp_path):
     hdconj.solve().to_hdf5(tmp_path / "whole.h5")
     whole = (tmp_path / "whole.h5").read_bytes()

@@ -200,7 +200,10 @@ def test_pandas(study, solution):
     table = study.to_pandas()
     assert len(table) == 2 and table.attrs["units"]["contact_area"] == "mm^2"
     assert list(table["contact_area"]) == list(study.contact.contact_area)
-    assert len(solution.to_pandas()) == len(solution.conjugate_zones.u)
+    zones = solution.to_pandas()
+    for name in ("u", "phi", "t"):
+        assert np.array_equal(zones[[f"{name}_begin", f"{name}_end"]], solution.conjugate_zones[name])
+    assert zones.attrs["units"]["u_end"] == "rad"
     running = hdconj.run(torque=0)
     assert list(running.to_pandas()["error"]) == list(running.running.sequence_000.error)
     paths = hdconj.wedm()
@@ -221,6 +224,18 @@ def test_plot(which, request):
     ax = result.plot()
     assert ax.get_lines() and ax.get_xlabel() and ax.get_title() == result.scene.name
     assert result.plot(ax=ax) is ax
+
+
+def test_plot_of_a_neutral_curve_and_of_a_design(tmp_path):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("agg")
+    found = hdconj.find_neutral_curve(SOURCE / "data/scenes/type-50-wanted.toml")
+    assert len(found.plot().get_lines()) == 2
+    with pytest.raises(hdconj.InputError, match="--completed DRIVE.toml"):
+        found.report(tmp_path / "page.html")
+    designed = hdconj.design(100, diameter=50)
+    with pytest.raises(hdconj.InputError, match="Design has no drawing"):
+        designed.plot()
 
 
 def test_pages_of_a_notebook(solution):
