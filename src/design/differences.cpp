@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/text.hpp"
+#include "base/toml_string.hpp"
 #include "hdconj/design.hpp"
 #include "hdconj/scene/schema.hpp"
 #include "same_value.hpp"
@@ -67,7 +68,7 @@ std::string DesignRow::written() const
     if (auto const* const rows = std::get_if<scene::NumberRows>(&value))
         return list_text(*rows);
     if (auto const* const text = std::get_if<std::string>(&value))
-        return in_quotes(*text);
+        return toml_string(*text);
     return number_text(number());
 }
 

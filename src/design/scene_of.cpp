@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "base/toml_string.hpp"
 #include "hdconj/check.hpp"
 #include "hdconj/profile/registry.hpp"
 #include "hdconj/scene/reading.hpp"
@@ -48,7 +49,7 @@ RawValue raw_of(scene::ParameterValue const& value)
     RawValue raw;
     raw.kind = Kind::text;
     raw.text = std::get<std::string>(value);
-    raw.written = in_quotes(raw.text);
+    raw.written = toml_string(raw.text);
     return raw;
 }
 

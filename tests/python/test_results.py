@@ -238,6 +238,12 @@ def test_plot_of_a_neutral_curve_and_of_a_design(tmp_path):
         designed.plot()
 
 
+def test_a_designed_name_is_quoted_as_toml_wants_it():
+    made = hdconj.design(100, diameter=50, name='a"b\\c')
+    assert made.scene.check() == ()
+    assert made.scene.name == 'a"b\\c'
+
+
 def test_pages_of_a_notebook(solution):
     page = solution._repr_html_()
     assert "space_depth" in page and "&plusmn;" in page

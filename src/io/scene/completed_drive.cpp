@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "base/text.hpp"
+#include "base/toml_string.hpp"
 #include "hdconj/file/atomic_file.hpp"
 #include "hdconj/read_scene.hpp"
 #include "hdconj/scene/number_pairs.hpp"
@@ -22,12 +23,12 @@ std::vector<std::string> completing_changes(Scene const& scene, fs::path const& 
 {
     std::vector<std::string> changes = {"!circular_spline.profile", "!wave_generator",
                                         "wave_generator.family=\"table\"",
-                                        "wave_generator.file=" + in_quotes(cam.filename().string()),
+                                        "wave_generator.file=" + toml_string(cam.filename().string()),
                                         "wave_generator.waves=" + std::to_string(scene.wave_generator.waves)};
     auto const& profile = scene.flexspline.profile;
     if (profile.has("file"))
         changes.push_back("flexspline.profile.file=" +
-                          in_quotes(fs::absolute(scene::number_file(profile, "file", scene.folder)).string()));
+                          toml_string(fs::absolute(scene::number_file(profile, "file", scene.folder)).string()));
     return changes;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/text.hpp"
+#include "base/toml_string.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/file/atomic_file.hpp"
 #include "hdconj/inspect_files.hpp"
@@ -96,7 +97,7 @@ std::vector<std::string> changes_of(Inspection const& inspection)
     auto const& shape = scene.wave_generator.shape;
     if (shape.has("file"))
         changes.push_back("wave_generator.file=" +
-                          in_quotes(fs::absolute(scene::number_file(shape, "file", scene.folder)).string()));
+                          toml_string(fs::absolute(scene::number_file(shape, "file", scene.folder)).string()));
     return changes;
 }
 
@@ -151,7 +152,7 @@ void write_measured_tooth(Inspection const& inspection, fs::path const& scene_fi
         points += point_text(p, ",") + "\n";
     file::write_text_atomically(points_file, points);
     auto const changed =
-        with_profile(inspection, "points", "file=" + in_quotes(points_file.filename().string()), scene_file);
+        with_profile(inspection, "points", "file=" + toml_string(points_file.filename().string()), scene_file);
     file::write_text_atomically(scene_file, changed.scene.text);
 }
 
