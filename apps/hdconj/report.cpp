@@ -43,17 +43,15 @@ Scene const& scene_of(Source const& source)
     return named != nullptr ? named->scene : std::get<ReportedDrive>(source).solution.scene;
 }
 
-/// Options that change how scenes are computed, where there are only result files.
-Faults idle_options(CommonOptions const& common, ReportArguments const& own)
+ReportOptions options_of(ReportArguments const& own)
 {
-    Faults faults;
-    for (auto const& [option, is_given] :
-         {std::pair{"--set", !common.overrides.empty()}, std::pair{"--tilt", !own.tilts_deg.empty()},
-          std::pair{"--revolution", own.revolution != 0}, std::pair{"--no-curve", own.no_curve}})
-        if (is_given)
-            faults.push_back({option, 0, "", "changes how a scene is computed, and only result files are given",
-                              "leave it out, or give the scene in place of its result file"});
-    return faults;
+    ReportOptions options;
+    options.parts = values_of<ReportPart>(own.parts);
+    CaseArguments const cases{own.tilts_deg, {}, {}};
+    cases.enter(options.contact);
+    options.contact.revolution = own.revolution;
+    options.load.curve = !own.no_curve;
+    return options;
 }
 
 /// The scenes, each with --set and --threads, and the result files; faults of all in one report.
@@ -83,21 +81,12 @@ std::vector<Source> sources_of(CommonOptions common, ReportArguments const& own,
             }
         }
     }
+    if (!any_scene && !common.overrides.empty())
+        faults.push_back(idle_option("--set"));
     if (!any_scene)
-        append(faults, idle_options(common, own));
+        append(faults, check_without_scene(options_of(own)));
     refuse(std::move(faults));
     return sources;
-}
-
-ReportOptions options_of(ReportArguments const& own)
-{
-    ReportOptions options;
-    options.parts = values_of<ReportPart>(own.parts);
-    CaseArguments const cases{own.tilts_deg, {}, {}};
-    cases.enter(options.contact);
-    options.contact.revolution = own.revolution;
-    options.load.curve = !own.no_curve;
-    return options;
 }
 
 ReportedDrive drive_of(Source const& source, ReportOptions const& options, ProgressLine const& progress)
@@ -112,20 +101,9 @@ ReportedDrive drive_of(Source const& source, ReportOptions const& options, Progr
     }
 }
 
-std::vector<std::string> failures(std::vector<ReportedDrive> const& drives)
-{
-    std::vector<std::string> missing;
-    for (auto const& drive : drives)
-        for (LeftOut const& each : drive.left_out)
-            if (each.failed)
-                missing.push_back(fmt::format("{}: {}: {}", drive.solution.scene.drive.name, each.part, each.why));
-    return missing;
-}
-
 int run_report(CommonOptions const& common, ReportArguments const& own)
 {
-    using Drives = std::vector<ReportedDrive>;
-    Work<Drives> work;
+    Work<Report> work;
     std::vector<Source> const sources = sources_of(common, own, work.inputs);
     ReportOptions const options = options_of(own);
     refuse(check_report(options));
@@ -133,20 +111,19 @@ int run_report(CommonOptions const& common, ReportArguments const& own)
     first.scene = own.sources.empty() ? "" : own.sources.front();
     add_file(
         work, "html", "--output", output_name(first, own.output, scene_of(sources.front()), ".html"),
-        [](Drives const& drives, fs::path const& file) { file::write_text_atomically(file, report_page(drives)); },
+        [](Report const& report, fs::path const& file) { file::write_text_atomically(file, report_page(report)); },
         check_ending("--output", ".html", "a browser"));
     work.compute = [&](ProgressLine const& progress) {
-        Drives drives;
-        for (Source const& source : sources)
-            drives.push_back(drive_of(source, options, progress));
-        return drives;
+        return report_drives(
+            sources, [](Source const& source) { return scene_of(source).drive.name; },
+            [&](Source const& source) { return drive_of(source, options, progress); });
     };
-    work.text = [](Drives const&, Written const& written) {
+    work.text = [](Report const&, Written const& written) {
         return fmt::format("report: {}, {} kB\n", written.front().file.string(),
                            fs::file_size(written.front().file) / 1000);
     };
-    work.json = [](Drives const& drives, Written const& written) { return summary_json(drives, written); };
-    work.status = [](Drives const& drives) { return status_of_missing(failures(drives)); };
+    work.json = [](Report const& report, Written const& written) { return summary_json(report, written); };
+    work.status = [](Report const& report) { return status_of_missing(missing_of(report)); };
     return run_verb(common, work);
 }
 
@@ -157,8 +134,8 @@ constexpr char const* report_footer =
     "Several drives are compared. A result file is shown as it was computed: from its scene only the\n"
     "motion of the teeth is computed. --with, --set, --tilt and the like are for scenes.\n"
     "--with design derives wishes from a scene and shows it beside the design that they make.\n"
-    "A part that is asked for and has no result is named with its cause. The rest is written, and the\n"
-    "exit status is 1.\n"
+    "A part that is asked for and has no result, and one of several drives that cannot be solved, is\n"
+    "named with its cause. The rest is written, and the exit status is 1.\n"
     "Examples:\n"
     "  hdconj report drive.toml -o drive.html --with contact,load\n"
     "  hdconj report first.toml second.toml -o both.html\n"

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <exception>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -13,6 +14,7 @@
 
 #include "hdconj/contact.hpp"
 #include "hdconj/design.hpp"
+#include "hdconj/error.hpp"
 #include "hdconj/file/written_file.hpp"
 #include "hdconj/load.hpp"
 #include "hdconj/running.hpp"
@@ -82,11 +84,63 @@ struct ReportedDrive
     }
 };
 
+/// A drive of which a report shows nothing.
+struct FailedDrive
+{
+    std::string name;  ///< of the drive
+    std::string why;   ///< in words
+};
+
+/// The drives of a page, as far as they were computed.
+struct Report
+{
+    std::vector<ReportedDrive> drives;
+    std::vector<FailedDrive> failed;
+};
+
+/// Makes the drives of a report one after the other by @p make, called with each of @p sources. One that fails is
+/// named, with the drive that @p name_of says, and leaves the others as they are.
+/// @throws InputError, NumericalError  the first failure, where no drive is left; where the run is stopped
+template <class Sources, class NameOf, class Make>
+[[nodiscard]] Report report_drives(Sources const& sources, NameOf const& name_of, Make const& make)
+{
+    Report report;
+    std::exception_ptr first;
+    auto const enter = [&](auto const& source, std::exception const& failure) {
+        report.failed.push_back({name_of(source), failure.what()});
+        if (!first)
+            first = std::current_exception();
+    };
+    for (auto const& source : sources) {
+        try {
+            report.drives.push_back(make(source));
+        } catch (InputError const& error) {
+            enter(source, error);
+        } catch (NumericalError const& error) {
+            if (error.code() == ErrorCode::stopped)
+                throw;
+            enter(source, error);
+        }
+    }
+    if (report.drives.empty() && first)
+        std::rethrow_exception(first);
+    return report;
+}
+
+/// What @p report has not though it was asked for, a line each.
+[[nodiscard]] std::vector<std::string> missing_of(Report const& report);
+
 /// A neutral curve that is wanted has no report.
 [[nodiscard]] Faults check_report(Scene const& scene);
 
 /// Faults of the options, among them those of parts that are not asked for.
 [[nodiscard]] Faults check_report(ReportOptions const& options);
+
+/// Faults of those @p options that change how a scene is computed, for a report of result files only.
+[[nodiscard]] Faults check_without_scene(ReportOptions const& options);
+
+/// That such an option is given. @param option  as a command line has it
+[[nodiscard]] Fault idle_option(std::string const& option);
 
 /// Computes the parts of a report by solve(), study_contact(), study_load(), study_run(), wire_set_ups() and
 /// design_beside(). A part
@@ -115,12 +169,11 @@ struct ReportedDrive
 
 /// The page: one HTML file that needs no network and no other file. Arrays are those of the result files, in base64.
 /// Figures are in double precision, large arrays in single, and maps of more than 200,000 values are thinned.
-/// @param drives  at least one; several are compared
-[[nodiscard]] std::string report_page(std::vector<ReportedDrive> const& drives);
+/// @param report  with at least one drive; several are compared
+[[nodiscard]] std::string report_page(Report const& report);
 
 /// What a page was made of as one JSON object, keys in docs/reference/json.md: the drives with their parts and what was
-/// left out, and the files with their bytes.
-[[nodiscard]] std::string summary_json(std::vector<ReportedDrive> const& drives,
-                                       std::vector<WrittenFile> const& written);
+/// left out, drives that failed, and the files with their bytes.
+[[nodiscard]] std::string summary_json(Report const& report, std::vector<WrittenFile> const& written);
 
 }  // namespace hdconj

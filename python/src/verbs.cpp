@@ -8,6 +8,7 @@
 #include <nanobind/stl/variant.h>
 #include <nanobind/stl/vector.h>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <variant>
@@ -239,20 +240,26 @@ ReportedDrive drive_of(std::string const& name, nb::object const& result)
     }
 }
 
-/// A drive that is read, or a scene to compute; with the faults of all.
-std::vector<std::variant<Scene const*, ReportedDrive>> drives_to_report(std::vector<ReportSource> const& sources,
-                                                                        Faults& faults)
+/// A scene to compute, or a drive that is read.
+using ListedDrive = std::variant<Scene const*, ReportedDrive>;
+
+Scene const& scene_of(ListedDrive const& drive)
 {
-    std::vector<std::variant<Scene const*, ReportedDrive>> drives;
+    auto const* const scene = std::get_if<Scene const*>(&drive);
+    return scene != nullptr ? **scene : std::get<ReportedDrive>(drive).solution.scene;
+}
+
+/// With the faults of all.
+std::vector<ListedDrive> drives_to_report(std::vector<ReportSource> const& sources, Faults& faults)
+{
+    std::vector<ListedDrive> drives;
     for (ReportSource const& source : sources) {
         try {
             if (auto const* const handle = std::get_if<SceneHandle const*>(&source))
                 drives.emplace_back(&(*handle)->sound());
             else
                 drives.emplace_back(std::apply(drive_of, std::get<1>(source)));
-            auto const* const scene = std::get_if<Scene const*>(&drives.back());
-            for (Fault const& fault :
-                 check_report(scene != nullptr ? **scene : std::get<ReportedDrive>(drives.back()).solution.scene))
+            for (Fault const& fault : check_report(scene_of(drives.back())))
                 faults.push_back(fault);
         } catch (InputError const& error) {
             faults.insert(faults.end(), error.faults().begin(), error.faults().end());
@@ -276,23 +283,22 @@ Words run_report(std::vector<ReportSource> const& sources, std::string const& fi
         options.contact.tilts.push_back(tilt * deg);
     options.contact.revolution = revolution;
     options.load.curve = curve;
-    for (Fault const& fault : check_report(options))
+    auto const is_scene = [](ReportSource const& source) { return std::holds_alternative<SceneHandle const*>(source); };
+    bool const computes = sources.empty() || std::ranges::any_of(sources, is_scene);
+    for (Fault const& fault : computes ? check_report(options) : check_without_scene(options))
         faults.push_back(fault);
     refuse(faults);
     file::check_target(file);
     return run(observer, is_main, [&](Observer const& told) {
-        std::vector<ReportedDrive> drives;
-        Words missing;
-        for (auto const& each : listed) {
-            auto const* const scene = std::get_if<Scene const*>(&each);
-            drives.push_back(scene != nullptr ? report_drive(**scene, options, told.stages(), told.shares())
-                                              : complete_drive(std::get<ReportedDrive>(each), options, told.stages()));
-            for (LeftOut const& left : drives.back().left_out)
-                if (left.failed)
-                    missing.push_back(drives.back().solution.scene.drive.name + ": " + left.part + ": " + left.why);
-        }
-        file::write_text_atomically(file, report_page(drives));
-        return missing;
+        Report const report = report_drives(
+            listed, [](ListedDrive const& each) { return scene_of(each).drive.name; },
+            [&](ListedDrive const& each) {
+                auto const* const scene = std::get_if<Scene const*>(&each);
+                return scene != nullptr ? report_drive(**scene, options, told.stages(), told.shares())
+                                        : complete_drive(std::get<ReportedDrive>(each), options, told.stages());
+            });
+        file::write_text_atomically(file, report_page(report));
+        return missing_of(report);
     });
 }
 

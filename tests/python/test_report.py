@@ -54,6 +54,25 @@ def test_a_scene_of_dictionaries_has_a_folder(tmp_path, monkeypatch):
     assert "cannot be read" in hdconj.Scene.from_dict(scene.to_dict()).check()[0].reason
 
 
+def test_a_drive_that_cannot_be_solved_leaves_the_others(tmp_path):
+    tight = hdconj.Scene().with_({"circular_spline.backlash_offset": 0.065, "drive.name": "tight"})
+    missing = hdconj.report([tight, None], tmp_path / "some.html")
+    assert len(missing) == 1
+    assert missing[0].startswith("tight: ")
+    assert len(drives_of(tmp_path / "some.html")) == 1
+    with pytest.raises(hdconj.NumericalError):
+        hdconj.report([tight, tight], tmp_path / "none.html")
+    assert not (tmp_path / "none.html").exists()
+
+
+@pytest.mark.parametrize("option", [{"tilts_deg": 0.1}, {"revolution": 3}, {"curve": False}])
+def test_options_that_change_a_scene_are_refused_for_results(tmp_path, option):
+    (name,) = option
+    with pytest.raises(hdconj.InputError, match=f"{name}.*only result files are given"):
+        hdconj.report(hdconj.solve(), tmp_path / "page.html", parts=["contact", "load"], **option)
+    assert not (tmp_path / "page.html").exists()
+
+
 def test_a_cut_file_and_a_bad_scene_are_refused_together(tmp_path):
     hdconj.solve().to_hdf5(tmp_path / "whole.h5")
     whole = (tmp_path / "whole.h5").read_bytes()

@@ -20,12 +20,17 @@ namespace fs = std::filesystem;
 std::string const scenes = HDCONJ_SOURCE_DIR "/data/scenes/";
 std::string const narrow = "'" + scenes + "type-50.toml' --set slices.count=3 --set circular_spline.width=2 ";
 
-/// The data that a page holds of its drives.
-json drives_of(fs::path const& page)
+/// The data that a page holds.
+json data_of(fs::path const& page)
 {
     std::string const text = content(page), mark = "id=\"data\">";
     std::size_t const from = text.find(mark) + mark.size();
-    return json::parse(text.substr(from, text.find("</script>", from) - from)).at("drives");
+    return json::parse(text.substr(from, text.find("</script>", from) - from));
+}
+
+json drives_of(fs::path const& page)
+{
+    return data_of(page).at("drives");
 }
 
 json drive_of(fs::path const& page)
@@ -168,6 +173,35 @@ TEST_CASE("report names the scene that fails", "[report]")
     CHECK(failed.status == 1);
     CHECK(failed.err.starts_with("hdconj: good.toml: "));
     CHECK(json::parse(failed.out).at("scene") == "good.toml");
+}
+
+TEST_CASE("report shows the drives that can be solved, and names the others", "[report]")
+{
+    TemporaryFolder const folder;
+    REQUIRE(hdconj_run("init good.toml", folder.path()).status == 0);
+    std::string tight = content(folder / "good.toml");
+    for (std::string const key : {"backlash_offset = 0.0", "name = \"type-50"})
+        REQUIRE(tight.find(key) != std::string::npos);
+    tight.replace(tight.find("backlash_offset = 0.0"), 21, "backlash_offset = 0.065");
+    tight.insert(tight.find("name = \"") + 8, "tight <b> ");
+    write(folder / "tight.toml", tight);
+    auto const some = hdconj_run("report tight.toml good.toml -o some.html --json", folder.path());
+    INFO(some.err);
+    CHECK(some.status == 1);
+    json const said = json::parse(some.out), data = data_of(folder / "some.html");
+    CHECK(said.at("drives").size() == 1);
+    CHECK(data.at("drives").size() == 1);
+    CHECK(data.at("failed") == said.at("failed"));
+    CHECK(said.at("failed").size() == 1);
+    CHECK_THAT(said.at("failed").at(0).at("name").get<std::string>(), ContainsSubstring("tight <b>"));
+    std::string const why = said.at("failed").at(0).at("why").get<std::string>();
+    CHECK_THAT(some.err, ContainsSubstring("tight <b>") && ContainsSubstring(why));
+    CHECK_THAT(content(folder / "some.html"), ContainsSubstring("<h2>tight &lt;b&gt;"));  // without scripts
+    auto const none = hdconj_run("report tight.toml tight.toml -o none.html --json", folder.path());
+    CHECK(none.status == 1);
+    CHECK(json::parse(none.out).at("scene") == "tight.toml");
+    CHECK(json::parse(none.out).at("error").at("cause").get<std::string>().size() > 10);
+    CHECK_FALSE(fs::exists(folder / "none.html"));
 }
 
 TEST_CASE("report --json says what was written and left out", "[report]")

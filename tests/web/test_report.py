@@ -483,6 +483,19 @@ class Reports(unittest.TestCase):
                 shown = page.locator(place).filter(has_text="design: ").inner_text()
                 self.assertEqual(shown.splitlines(), f"design: {told}".splitlines())
 
+    def test_drives_that_fail_are_named(self):
+        tight, file = Path(FOLDER.name) / "tight.toml", Path(FOLDER.name) / "failed.html"
+        tight.write_text(Path(TYPE_50).read_text().replace('"type-50"', "'''" + HOSTILE + "'''").replace(
+            "backlash_offset = 0.0 ", "backlash_offset = 0.065 "))
+        done = subprocess.run([PROGRAM, "report", tight, TYPE_50, "-o", str(file), "--json"], capture_output=True,
+                              text=True)
+        self.assertEqual(done.returncode, 1)
+        (failed,) = json.loads(done.stdout)["failed"]
+        with Page(file) as page:
+            self.assertEqual(page.locator("h1").text_content(), "type-50")
+            shown = page.locator("main > section.warnings").first.locator("li").inner_text()
+            self.assertEqual(shown, f"{HOSTILE}: {failed['why']}")
+
     def test_hostile_names_stay_text(self):
         with Page(two_drives()) as page:
             page.locator("header select").first.select_option(index=1)

@@ -27,7 +27,7 @@ import { say } from "./texts.js";
  *   results: Record<string, Group>, residuals: Residual[], design: Design|null,
  *   limits: Limit[], text: string}} Drive
  * @typedef {{program_version: string, git_revision: string, build: string, date: string,
- *   drives: Drive[]}} Report
+ *   failed: {name: string, why: string}[], drives: Drive[]}} Report
  * @typedef {{part: string, group: string, name: string, index: number, value: number, error: number|null,
  *   units: string, meaning: string}} Figure
  */

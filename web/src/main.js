@@ -28,6 +28,14 @@ function setTheme(index) {
 }
 document.documentElement.dataset.theme = themes[remembered("dark", darkWanted ? 1 : 0) ? 1 : 0];
 
+/** Drives that the page should show and does not; null where there are none. */
+function failedDrives() {
+  const title = say("failedDrives");
+  return !report.failed.length ? null : make("section", { "class": "warnings", "aria-label": title },
+    make("h2", {}, title),
+    make("ul", {}, ...report.failed.map((each) => make("li", { class: "warning" }, `${each.name}: ${each.why}`))));
+}
+
 /** @param {import("./data.js").Drive} drive */
 function warnings(drive) {
   const notes = drive.judgement.map((note) => make("li", { class: note.severity },
@@ -104,7 +112,7 @@ function show(index) {
         show(i);
       }) : null,
       choice(say("theme"), [say("light"), say("dark")], theme, setTheme)), nav),
-  make("main", {}, warnings(drive), ...sections));
+  make("main", {}, failedDrives(), warnings(drive), ...sections));
 }
 
 /** @param {import("./data.js").Drive} drive */

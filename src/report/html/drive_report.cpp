@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "hdconj/error.hpp"
 #include "hdconj/report.hpp"
@@ -40,6 +41,18 @@ bool is_asked(ReportOptions const& options, ReportPart part)
 
 }  // namespace
 
+std::vector<std::string> missing_of(Report const& report)
+{
+    std::vector<std::string> missing;
+    for (auto const& drive : report.drives)
+        for (LeftOut const& each : drive.left_out)
+            if (each.failed)
+                missing.push_back(fmt::format("{}: {}: {}", drive.solution.scene.drive.name, each.part, each.why));
+    for (auto const& drive : report.failed)
+        missing.push_back(fmt::format("{}: {}", drive.name, drive.why));
+    return missing;
+}
+
 Faults check_report(Scene const& scene)
 {
     if (!scene.wants_neutral_curve())
@@ -58,6 +71,23 @@ Faults check_report(ReportOptions const& options)
         if (is_given && !is_asked(options, part))
             faults.push_back({option, 0, "", fmt::format("is of the part {}, which is not asked for", to_string(part)),
                               fmt::format("write --with {} too, or leave it out", to_string(part))});
+    return faults;
+}
+
+Fault idle_option(std::string const& option)
+{
+    return {option, 0, "", "changes how a scene is computed, and only result files are given",
+            "leave it out, or give the scene in place of its result file"};
+}
+
+Faults check_without_scene(ReportOptions const& options)
+{
+    Faults faults;
+    for (auto const& [option, is_given] :
+         {std::pair{"--tilt", !options.contact.tilts.empty()},
+          std::pair{"--revolution", options.contact.revolution != 0}, std::pair{"--no-curve", !options.load.curve}})
+        if (is_given)
+            faults.push_back(idle_option(option));
     return faults;
 }
 

@@ -242,16 +242,18 @@ std::string script_data(Json const& data)
 
 /// What is read where scripts do not run: pictures and the printed summary of each drive.
 /// @param data  of the drives, as drive_json() makes them
-std::string static_part(std::vector<ReportedDrive> const& drives, Json const& data)
+std::string static_part(Report const& report, Json const& data)
 {
     std::string html;
-    for (std::size_t i = 0; i < drives.size(); ++i) {
+    for (std::size_t i = 0; i < report.drives.size(); ++i) {
         Json const& results = data[i].at("results");
-        html += "<h2>" + escaped(drives[i].solution.scene.drive.name) + "</h2>" + static_picture(drives[i]) +
+        html += "<h2>" + escaped(data[i].at("name")) + "</h2>" + static_picture(report.drives[i]) +
                 "<div class=\"figures\">" + static_gap_maps(results.value("contact", Json::object())) +
                 static_charts(results) + static_wire_path(results.value("wedm", Json::object())) + "</div><pre>" +
-                escaped(data[i].at("text").get_ref<std::string const&>()) + "</pre>";
+                escaped(data[i].at("text")) + "</pre>";
     }
+    for (FailedDrive const& each : report.failed)
+        html += "<h2>" + escaped(each.name) + "</h2><pre>" + escaped(each.why) + "</pre>";
     return html;
 }
 
@@ -260,18 +262,19 @@ std::string static_part(std::vector<ReportedDrive> const& drives, Json const& da
 
 namespace hdconj {
 
-std::string report_page(std::vector<ReportedDrive> const& drives)
+std::string report_page(Report const& made)
 {
-    if (drives.empty())
+    if (made.drives.empty())
         throw std::logic_error("a report of no drive");
     report::Json const data = {{"program_version", program_version()},
                                {"git_revision", git_revision()},
                                {"build", build_description()},
                                {"date", io::layout::date_text()},
-                               {"drives", report::list_of(drives, report::drive_json)}};
+                               {"failed", report::failed_json(made.failed)},
+                               {"drives", report::list_of(made.drives, report::drive_json)}};
     std::string title = "hdconj:";
-    for (ReportedDrive const& drive : drives)
-        title += (&drive == &drives.front() ? " " : ", ") + drive.solution.scene.drive.name;
+    for (ReportedDrive const& drive : made.drives)
+        title += (&drive == made.drives.data() ? " " : ", ") + drive.solution.scene.drive.name;
     std::string const page = report::page_part("page");
     std::string html;
     std::size_t at = 0;
@@ -279,7 +282,7 @@ std::string report_page(std::vector<ReportedDrive> const& drives)
     for (auto const& [mark, text] : {std::pair<std::string_view, std::string>{"@TITLE@", report::escaped(title)},
                                      {"@LIBRARY_STYLE@", report::page_part("uPlot.min")},
                                      {"@STYLE@", report::page_part("style")},
-                                     {"@STATIC@", report::static_part(drives, data.at("drives"))},
+                                     {"@STATIC@", report::static_part(made, data.at("drives"))},
                                      {"@DATA@", report::script_data(data)},
                                      {"@LICENCE@", report::page_part("uPlot-licence")},
                                      {"@LIBRARY@", report::page_part("uPlot.iife.min")},

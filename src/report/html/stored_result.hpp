@@ -19,4 +19,9 @@ struct StoredResult
     });
 }
 
+[[nodiscard]] inline Json failed_json(std::vector<FailedDrive> const& failed)
+{
+    return list_of(failed, [](FailedDrive const& each) -> Json { return {{"name", each.name}, {"why", each.why}}; });
+}
+
 }  // namespace hdconj::report

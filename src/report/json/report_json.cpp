@@ -40,7 +40,7 @@ Json drive_object(ReportedDrive const& drive)
 }  // namespace
 }  // namespace report
 
-std::string summary_json(std::vector<ReportedDrive> const& drives, std::vector<WrittenFile> const& written)
+std::string summary_json(Report const& made, std::vector<WrittenFile> const& written)
 {
     using report::Json;
     constexpr int format_version = 1;
@@ -48,7 +48,8 @@ std::string summary_json(std::vector<ReportedDrive> const& drives, std::vector<W
                    {"format_version", format_version},
                    {"program_version", program_version()},
                    {"git_revision", git_revision()},
-                   {"drives", report::list_of(drives, report::drive_object)},
+                   {"drives", report::list_of(made.drives, report::drive_object)},
+                   {"failed", report::failed_json(made.failed)},
                    {"files", report::files_object(written)}};
     for (WrittenFile const& file : written)
         object["files"][file.kind]["bytes"] = std::filesystem::file_size(file.file);
