@@ -47,7 +47,7 @@ std::string text_of(Json const& object)
 
 std::string check_json(std::string const& scene_name, Faults const& faults, Plan const* plan, Notes const& notes)
 {
-    Json object{{"scene", scene_name}, {"faults", json_of(faults)}};
+    Json object{{"format", "hdconj-check"}, {"format_version", 1}, {"scene", scene_name}, {"faults", json_of(faults)}};
     if (plan != nullptr) {
         add_plan(object, *plan);
         object["judgement"] = io::json_of(notes);

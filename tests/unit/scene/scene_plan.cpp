@@ -95,6 +95,7 @@ TEST_CASE("the plan says every stage and every absent effect in words", "[scene]
     auto const plan = make_plan(builtin_scene({"circular_spline.backlash_offset=0.02"}));
     auto const text = describe(plan);
     auto const json = check_json("scene", {{"a", 1, "\xff", "bad", "write b"}}, &plan);
+    CHECK(json.find("\"format\": \"hdconj-check\"") != std::string::npos);
     for (auto const& planned : plan.stages) {
         CHECK_FALSE(planned.reason.empty());
         CHECK(text.find(to_string(planned.stage)) != std::string::npos);
