@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import os
-import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any, NoReturn, Optional, Union
@@ -18,14 +17,13 @@ Progress = Union[bool, Callable[[str, Optional[float]], None]]
 
 
 @contextmanager
-def _calling(progress: Progress) -> Iterator[tuple[Callable[[str, float | None], None] | None, bool]]:
-    """The observer of a call, and whether Ctrl-C arrives in this thread."""
-    is_main = threading.current_thread() is threading.main_thread()
+def _calling(progress: Progress) -> Iterator[Callable[[str, float | None], None] | None]:
+    """The observer of a call."""
     if progress is True:
         try:
             from tqdm.auto import tqdm  # type: ignore[import-untyped]
         except ImportError:
-            yield None, is_main
+            yield None
             return
         with tqdm(total=1.0, bar_format="{desc} {percentage:3.0f}%|{bar}| {elapsed}", leave=False) as bar:
 
@@ -34,9 +32,9 @@ def _calling(progress: Progress) -> Iterator[tuple[Callable[[str, float | None],
                 bar.n = bar.n if share is None else share
                 bar.refresh()
 
-            yield show, is_main
+            yield show
     else:
-        yield (progress or None), is_main
+        yield progress or None
 
 
 def _refuse(path: str, value: object, reason: str, remedy: str) -> NoReturn:
@@ -69,8 +67,8 @@ def solve(scene: SceneLike = None, *, progress: Progress = False) -> _results.So
         A stage failed.
     """
     asked = scene_of(scene)
-    with _calling(progress) as call:
-        return _results.Solution._computed(_core.solve(asked._core, *call), asked)
+    with _calling(progress) as observer:
+        return _results.Solution._computed(_core.solve(asked._core, observer), asked)
 
 
 @checked
@@ -95,8 +93,8 @@ def find_neutral_curve(scene: SceneLike, *, progress: Progress = False) -> _resu
         There is no such curve; the message says at which angle the flanks stop touching.
     """
     asked = scene_of(scene)
-    with _calling(progress) as call:
-        return _results.NeutralCurve._computed(_core.find_neutral_curve(asked._core, *call), asked)
+    with _calling(progress) as observer:
+        return _results.NeutralCurve._computed(_core.find_neutral_curve(asked._core, observer), asked)
 
 
 @checked
@@ -140,8 +138,8 @@ def contact(
     best = None if best_deg is None else interval("best_deg", best_deg)
     choices = (numbers("tilts_deg", tilts_deg), words("surfaces", surfaces), words("kinds", kinds))
     options = (*choices, best, revolution, errors)
-    with _calling(progress) as call:
-        return _results.ContactStudy._computed(_core.contact(asked._core, *options, *call), asked)
+    with _calling(progress) as observer:
+        return _results.ContactStudy._computed(_core.contact(asked._core, *options, observer), asked)
 
 
 @checked
@@ -193,8 +191,8 @@ def load(
     seen = measured._kept() if measured is not None else None
     choices = (numbers("tilts_deg", tilts_deg), words("surfaces", surfaces), words("kinds", kinds))
     options = (torque, points, *choices, curve, errors, seen)
-    with _calling(progress) as call:
-        return _results.LoadStudy._computed(_core.load(asked._core, *options, *call), asked)
+    with _calling(progress) as observer:
+        return _results.LoadStudy._computed(_core.load(asked._core, *options, observer), asked)
 
 
 @checked
@@ -229,8 +227,8 @@ def run(
         Transmission errors in rad, torques in N mm, speeds in rad/s.
     """
     asked = scene_of(scene)
-    with _calling(progress) as call:
-        return _results.RunStudy._computed(_core.run(asked._core, torque, positions, errors, *call), asked)
+    with _calling(progress) as observer:
+        return _results.RunStudy._computed(_core.run(asked._core, torque, positions, errors, observer), asked)
 
 
 @checked
@@ -260,8 +258,8 @@ def wedm(
         Coordinates in mm of the wire's centre in the lower and the upper face.
     """
     asked = scene_of(scene)
-    with _calling(progress) as call:
-        made = _core.wedm(asked._core, os.fspath(folder), words("dialects", dialects), *call)
+    with _calling(progress) as observer:
+        made = _core.wedm(asked._core, os.fspath(folder), words("dialects", dialects), observer)
     return _results.WireProgram._computed(made, asked)
 
 
@@ -298,8 +296,8 @@ def accuracy(
         Errors in mm, times in s.
     """
     asked = scene_of(scene)
-    with _calling(progress) as call:
-        made = _core.accuracy(asked._core, words("studies", studies), sample, repeats, quick, *call)
+    with _calling(progress) as observer:
+        made = _core.accuracy(asked._core, words("studies", studies), sample, repeats, quick, observer)
     return _results.Accuracy._computed(made, asked)
 
 
@@ -339,8 +337,8 @@ def inspect(
         Deviations in mm, positive outside the material.
     """
     asked = scene_of(scene)
-    with _calling(progress) as call:
-        made = _core.inspect(asked._core, os.fspath(points), part, plane, probe, register, *call)
+    with _calling(progress) as observer:
+        made = _core.inspect(asked._core, os.fspath(points), part, plane, probe, register, observer)
     return _results.Inspection._computed(made, asked)
 
 
@@ -442,8 +440,8 @@ def report(
     listed: list[Any] = list(scenes) if isinstance(scenes, (list, tuple)) else [scenes]
     asked = [source_of(each) for each in listed]
     options = (words("parts", parts), numbers("tilts_deg", tilts_deg), revolution, curve)
-    with _calling(progress) as call:
-        return _core.report(asked, page, *options, *call)
+    with _calling(progress) as observer:
+        return _core.report(asked, page, *options, observer)
 
 
 @checked
@@ -471,6 +469,6 @@ def design(ratio: float, *, progress: Progress = False, **wishes: Any) -> _resul
             raise TypeError(f"design() knows no wish {name!r}")
         is_text = isinstance(getattr(asked, name), str)
         setattr(asked, name, word(name, value) if is_text else number(name, value))
-    with _calling(progress) as call:
-        text, made = _core.design(asked, *call)
+    with _calling(progress) as observer:
+        text, made = _core.design(asked, observer)
     return _results.Design._computed(made, Scene.from_toml(text, "the designed scene"))

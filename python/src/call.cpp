@@ -1,44 +1,81 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "call.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace hdconj::python {
 namespace {
 
-std::atomic<std::atomic<bool>*> watched = nullptr;
+/// A computation that may run. None is ever freed: a signal may come at any time.
+struct Computation
+{
+    std::atomic<bool> runs = false;
+    std::atomic<bool> asked = false;  ///< to end
+};
+
+std::array<Computation, 1024> computations;  // more at a time are not told
 std::atomic<void (*)(int)> former_handler = nullptr;
-static_assert(std::atomic<std::atomic<bool>*>::is_always_lock_free);  // used by a signal
+static_assert(std::atomic<bool>::is_always_lock_free &&
+              std::atomic<void (*)(int)>::is_always_lock_free);  // in a signal
+
+// Under the lock of the interpreter:
+struct sigaction former = {};
+int watches = 0;
 
 void note_interrupt(int number)
 {
-    if (auto* const asked = watched.load())
-        asked->store(true);
-    if (auto const former = former_handler.load())
-        former(number);
+    for (Computation& each : computations)
+        if (each.runs)
+            each.asked = true;
+    if (auto const handler = former_handler.load())
+        handler(number);
+}
+
+/// What SIGINT calls; null: no function that takes its number.
+auto present_handler(struct sigaction& present)
+{
+    bool const is_simple = sigaction(SIGINT, nullptr, &present) == 0 && (present.sa_flags & SA_SIGINFO) == 0 &&
+                           present.sa_handler != SIG_DFL && present.sa_handler != SIG_IGN;
+    return is_simple ? present.sa_handler : nullptr;
+}
+
+/// Puts note_interrupt() before the handler that Python has set. Without one Ctrl-C ends the process or is ignored, and
+/// goes on to do so.
+void listen()
+{
+    struct sigaction present = {};
+    auto* const handler = present_handler(present);
+    if (handler == nullptr || handler == note_interrupt)
+        return;
+    former = present;
+    former_handler = handler;
+    present.sa_handler = note_interrupt;
+    sigaction(SIGINT, &present, nullptr);
 }
 
 }  // namespace
 
-InterruptWatch::InterruptWatch(std::atomic<bool>& asked, bool is_main_thread)
+InterruptWatch::InterruptWatch()
 {
-    // without a handler of Python's, Ctrl-C ends the process or is ignored, and goes on to do so
-    bool const handled = is_main_thread && sigaction(SIGINT, nullptr, &before_) == 0 &&
-                         (before_.sa_flags & SA_SIGINFO) == 0 && before_.sa_handler != SIG_DFL &&
-                         before_.sa_handler != SIG_IGN && before_.sa_handler != note_interrupt;
-    if (!handled)
-        return;
-    former_handler = before_.sa_handler;
-    watched = &asked;
-    struct sigaction ours = before_;
-    ours.sa_handler = note_interrupt;
-    is_set_ = sigaction(SIGINT, &ours, nullptr) == 0;
+    auto const idle = std::ranges::find_if(computations, [](Computation const& each) { return !each.runs; });
+    if (idle != computations.end()) {
+        idle->asked = false;
+        idle->runs = true;
+        asked_ = &idle->asked;
+        runs_ = &idle->runs;
+    }
+    ++watches;
+    listen();
 }
 
 InterruptWatch::~InterruptWatch()
 {
-    if (!is_set_)
-        return;
-    sigaction(SIGINT, &before_, nullptr);
-    watched = nullptr;
+    if (runs_ != nullptr)
+        *runs_ = false;
+    struct sigaction present = {};
+    if (--watches == 0 && present_handler(present) == note_interrupt)
+        sigaction(SIGINT, &former, nullptr);
 }
 
 void Observer::tell(std::string const& what, std::optional<double> share) const

@@ -16,19 +16,22 @@
 
 namespace hdconj::python {
 
-/// While it lives, SIGINT sets @p asked before it does what it did. One object at a time, in Python's main thread,
-/// where Python runs the handlers of signals.
+/// A computation of any thread: while it lives, SIGINT sets its asked() before it does what it did. Made and destroyed
+/// under the lock of the interpreter.
 class InterruptWatch
 {
   public:
-    InterruptWatch(std::atomic<bool>& asked, bool is_main_thread);
+    InterruptWatch();
     ~InterruptWatch();
     InterruptWatch(InterruptWatch const&) = delete;
     InterruptWatch& operator=(InterruptWatch const&) = delete;
 
+    [[nodiscard]] std::atomic<bool>& asked() const { return *asked_; }
+
   private:
-    struct sigaction before_ = {};
-    bool is_set_ = false;
+    mutable std::atomic<bool> own_ = false;
+    std::atomic<bool>* asked_ = &own_;
+    std::atomic<bool>* runs_ = nullptr;
 };
 
 /// Tells a Python function what runs. What that throws ends the computation and is thrown again by rethrow().
@@ -50,16 +53,14 @@ class Observer
 };
 
 /// Runs @p compute, which is called with an Observer.
-/// @param function        see Observer
-/// @param is_main_thread  of Python
+/// @param function  see Observer
 template <class Compute>
-auto run(nanobind::handle function, bool is_main_thread, Compute const& compute)
+auto run(nanobind::handle function, Compute const& compute)
 {
-    std::atomic<bool> asked = false;
-    Observer const observer(function, asked);
+    InterruptWatch const watch;
+    Observer const observer(function, watch.asked());
     try {
-        InterruptWatch const watch(asked, is_main_thread);
-        StopScope const scope(&asked);
+        StopScope const scope(&watch.asked());
         nanobind::gil_scoped_release const unlocked;
         auto const begin = std::chrono::steady_clock::now();
         auto result = compute(observer);
@@ -68,7 +69,7 @@ auto run(nanobind::handle function, bool is_main_thread, Compute const& compute)
         return result;
     } catch (Stopped const&) {
         observer.rethrow();
-        if (PyErr_CheckSignals() != 0)  // by default KeyboardInterrupt
+        if (PyErr_CheckSignals() != 0)  // in the main thread, by default KeyboardInterrupt
             throw nanobind::python_error();
         throw;
     }

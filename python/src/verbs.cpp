@@ -77,25 +77,24 @@ void enter_cases(auto& options, std::vector<double> const& tilts_deg, Words cons
     refuse(faults);
 }
 
-ResultPointer run_solve(SceneHandle const& handle, nb::handle observer, bool is_main)
+ResultPointer run_solve(SceneHandle const& handle, nb::handle observer)
 {
     Scene const& scene = handle.sound();
     if (scene.wants_neutral_curve())
         throw InputError(Fault{"wave_generator.family", 0, scene.wave_generator.shape.family,
                                "the neutral curve is not known yet", "call find_neutral_curve(), which finds it"});
-    return run(observer, is_main, [&](Observer const& told) { return result_of(solve(scene, told.stages())); });
+    return run(observer, [&](Observer const& told) { return result_of(solve(scene, told.stages())); });
 }
 
-ResultPointer run_find_neutral_curve(SceneHandle const& handle, nb::handle observer, bool is_main)
+ResultPointer run_find_neutral_curve(SceneHandle const& handle, nb::handle observer)
 {
     Scene const& scene = handle.sound();
-    return run(observer, is_main,
-               [&](Observer const& told) { return result_of(find_neutral_curve(scene, told.stages())); });
+    return run(observer, [&](Observer const& told) { return result_of(find_neutral_curve(scene, told.stages())); });
 }
 
 ResultPointer run_contact(SceneHandle const& handle, std::vector<double> const& tilts_deg, Words const& surfaces,
                           Words const& kinds, std::optional<std::pair<double, double>> const& best_deg, int revolution,
-                          bool errors, nb::handle observer, bool is_main)
+                          bool errors, nb::handle observer)
 {
     Scene const& scene = handle.sound();
     ContactOptions options;
@@ -108,14 +107,14 @@ ResultPointer run_contact(SceneHandle const& handle, std::vector<double> const& 
         options.best_to = best_deg->second * deg;
     }
     refuse(check_contact(scene, options));
-    return run(observer, is_main, [&](Observer const& told) {
+    return run(observer, [&](Observer const& told) {
         return result_of(study_contact(scene, options, told.stages(), told.shares()));
     });
 }
 
 ResultPointer run_load(SceneHandle const& handle, std::optional<double> torque, std::optional<int> points,
                        std::vector<double> const& tilts_deg, Words const& surfaces, Words const& kinds, bool curve,
-                       bool errors, Result const* measured, nb::handle observer, bool is_main)
+                       bool errors, Result const* measured, nb::handle observer)
 {
     Scene const& scene = handle.sound();
     LoadOptions options;
@@ -129,13 +128,13 @@ ResultPointer run_load(SceneHandle const& handle, std::optional<double> torque, 
     std::optional<Measurement> measurement;
     if (measured != nullptr)
         measurement = dynamic_cast<ResultOf<Measurement> const&>(*measured).value();
-    return run(observer, is_main, [&](Observer const& told) {
+    return run(observer, [&](Observer const& told) {
         return result_of(LoadedDrive{study_load(scene, options, told.stages(), told.shares()), std::move(measurement)});
     });
 }
 
 ResultPointer run_run(SceneHandle const& handle, std::optional<double> torque, std::optional<int> positions,
-                      bool errors, nb::handle observer, bool is_main)
+                      bool errors, nb::handle observer)
 {
     Scene const& scene = handle.sound();
     RunOptions options;
@@ -144,13 +143,12 @@ ResultPointer run_run(SceneHandle const& handle, std::optional<double> torque, s
     options.positions = positions;
     options.errors = errors;
     refuse(check_run(scene, options));
-    return run(observer, is_main, [&](Observer const& told) {
+    return run(observer, [&](Observer const& told) {
         return result_of(study_run(scene, options, told.stages(), told.shares()));
     });
 }
 
-ResultPointer run_wedm(SceneHandle const& handle, std::string const& folder, Words const& asked, nb::handle observer,
-                       bool is_main)
+ResultPointer run_wedm(SceneHandle const& handle, std::string const& folder, Words const& asked, nb::handle observer)
 {
     Scene const& scene = handle.sound();
     refuse(check_wedm(scene));
@@ -160,7 +158,7 @@ ResultPointer run_wedm(SceneHandle const& handle, std::string const& folder, Wor
         refuse(check_dialects(dialects, place));
     else
         check_wire_files(folder, dialects, place);
-    return run(observer, is_main, [&](Observer const& told) {
+    return run(observer, [&](Observer const& told) {
         WireCut cut{wire_set_ups(scene, told.stages()), {}, folder};
         settle_unfit_dialects(cut.programs, scene, dialects);
         if (!folder.empty())
@@ -170,7 +168,7 @@ ResultPointer run_wedm(SceneHandle const& handle, std::string const& folder, Wor
 }
 
 ResultPointer run_accuracy(SceneHandle const& handle, Words const& studies, int sample, int repeats, bool quick,
-                           nb::handle observer, bool is_main)
+                           nb::handle observer)
 {
     Scene const& scene = handle.sound();
     AccuracyOptions options;
@@ -180,14 +178,14 @@ ResultPointer run_accuracy(SceneHandle const& handle, Words const& studies, int 
     options.quick = quick;
     refuse(check_studies(options));
     refuse(check_accuracy(scene, options));
-    return run(observer, is_main, [&](Observer const& told) {
+    return run(observer, [&](Observer const& told) {
         return result_of(StoredAccuracy{measure_accuracy(scene, options, told.shares()), this_program()});
     });
 }
 
 ResultPointer run_inspect(SceneHandle const& handle, std::string const& points, std::string const& part,
                           std::optional<double> plane, double probe, std::string const& registration,
-                          nb::handle observer, bool is_main)
+                          nb::handle observer)
 {
     Faults faults = handle.faults();
     auto measured = examine_points(points);
@@ -196,7 +194,7 @@ ResultPointer run_inspect(SceneHandle const& handle, std::string const& points, 
     auto const how = value_of<Registration>(registration, "register", faults);
     refuse(faults);
     InspectOptions const options{*which, plane, probe, *how};
-    return run(observer, is_main, [&](Observer const& told) {
+    return run(observer, [&](Observer const& told) {
         return result_of(inspect_points(handle.as_read(), measured.measured, options, told.stages()));
     });
 }
@@ -270,7 +268,7 @@ std::vector<ListedDrive> drives_to_report(std::vector<ReportSource> const& sourc
 
 /// Writes the page. @return what it leaves out though it was asked for, a line each
 Words run_report(std::vector<ReportSource> const& sources, std::string const& file, Words const& parts,
-                 std::vector<double> const& tilts_deg, int revolution, bool curve, nb::handle observer, bool is_main)
+                 std::vector<double> const& tilts_deg, int revolution, bool curve, nb::handle observer)
 {
     Faults faults;
     if (sources.empty())
@@ -289,7 +287,7 @@ Words run_report(std::vector<ReportSource> const& sources, std::string const& fi
         faults.push_back(fault);
     refuse(faults);
     file::check_target(file);
-    return run(observer, is_main, [&](Observer const& told) {
+    return run(observer, [&](Observer const& told) {
         Report const report = report_drives(
             listed, [](ListedDrive const& each) { return scene_of(each).drive.name; },
             [&](ListedDrive const& each) {
@@ -302,10 +300,10 @@ Words run_report(std::vector<ReportSource> const& sources, std::string const& fi
     });
 }
 
-nb::tuple run_design(DesignWishes const& wishes, nb::handle observer, bool is_main)
+nb::tuple run_design(DesignWishes const& wishes, nb::handle observer)
 {
     refuse(check_design(wishes));
-    Design design = run(observer, is_main, [&](Observer const& told) {
+    Design design = run(observer, [&](Observer const& told) {
         Design made = design_drive(wishes, [&](std::string const& what) { told.tell(what, std::nullopt); });
         Scene const type_50 = builtin_scene();
         if (is_like(made, type_50))
@@ -339,7 +337,7 @@ void add_wishes(nb::module_& module)
         .def_rw("clearance", &DesignWishes::clearance)
         .def_rw("safety", &DesignWishes::safety)
         .def_rw("name", &DesignWishes::name);
-    module.def("design", run_design, "wishes"_a, "observer"_a.none(), "is_main"_a);
+    module.def("design", run_design, "wishes"_a, "observer"_a.none());
 }
 
 }  // namespace
@@ -353,23 +351,22 @@ void add_verbs(nb::module_& module)
         .def("text", [](Result const& result) { return text_of(result.text()); })
         .def_prop_ro("missing", &Result::missing)
         .def_ro("seconds", &Result::seconds);
-    module.def("solve", run_solve, "scene"_a, "observer"_a.none(), "is_main"_a);
-    module.def("find_neutral_curve", run_find_neutral_curve, "scene"_a, "observer"_a.none(), "is_main"_a);
+    module.def("solve", run_solve, "scene"_a, "observer"_a.none());
+    module.def("find_neutral_curve", run_find_neutral_curve, "scene"_a, "observer"_a.none());
     module.def("contact", run_contact, "scene"_a, "tilts_deg"_a, "surfaces"_a, "kinds"_a, "best_deg"_a.none(),
-               "revolution"_a, "errors"_a, "observer"_a.none(), "is_main"_a);
+               "revolution"_a, "errors"_a, "observer"_a.none());
     module.def("load", run_load, "scene"_a, "torque"_a.none(), "points"_a.none(), "tilts_deg"_a, "surfaces"_a,
-               "kinds"_a, "curve"_a, "errors"_a, "measured"_a.none(), "observer"_a.none(), "is_main"_a);
-    module.def("run", run_run, "scene"_a, "torque"_a.none(), "positions"_a.none(), "errors"_a, "observer"_a.none(),
-               "is_main"_a);
-    module.def("wedm", run_wedm, "scene"_a, "folder"_a, "dialects"_a, "observer"_a.none(), "is_main"_a);
+               "kinds"_a, "curve"_a, "errors"_a, "measured"_a.none(), "observer"_a.none());
+    module.def("run", run_run, "scene"_a, "torque"_a.none(), "positions"_a.none(), "errors"_a, "observer"_a.none());
+    module.def("wedm", run_wedm, "scene"_a, "folder"_a, "dialects"_a, "observer"_a.none());
     module.def("accuracy", run_accuracy, "scene"_a, "studies"_a, "sample"_a, "repeats"_a, "quick"_a,
-               "observer"_a.none(), "is_main"_a);
+               "observer"_a.none());
     module.def("inspect", run_inspect, "scene"_a, "points"_a, "part"_a, "plane"_a.none(), "probe"_a, "register"_a,
-               "observer"_a.none(), "is_main"_a);
+               "observer"_a.none());
     module.def(
         "is_result_file", [](std::string const& file) { return is_result_file(file); }, "file"_a);
     module.def("report", run_report, "sources"_a, "file"_a, "parts"_a, "tilts_deg"_a, "revolution"_a, "curve"_a,
-               "observer"_a.none(), "is_main"_a);
+               "observer"_a.none());
     module.def("read_measured", read_measured, "scene"_a, "file"_a, "torque_constant"_a.none(),
                "counts_per_turn"_a.none(), "ratio"_a.none(), "efficiency"_a.none(), "output_member"_a);
     module.def("flexspline_poses", poses_of_teeth, "scene"_a, "z"_a, "pitches"_a);

@@ -161,6 +161,27 @@ def test_ctrl_c(work, delay):
     assert hdconj.solve().circular_spline.outline.size > 0  # nothing is left of it
 
 
+def test_ctrl_c_in_other_threads():
+    asked = []
+
+    def interrupt():
+        asked.append(time.perf_counter())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    timer = threading.Timer(0.5, interrupt)
+    with ThreadPoolExecutor(2) as pool:
+        timer.start()
+        long = [pool.submit(LONG_WORK[name]) for name in ("contact", "load")]
+        with pytest.raises(KeyboardInterrupt):
+            long[0].result()
+    taken = time.perf_counter() - asked[0]
+    timer.join()
+    assert all(isinstance(each.exception(), hdconj.StoppedError) for each in long)
+    assert taken < INTERRUPT_SECONDS
+    with ThreadPoolExecutor(2) as pool:  # nothing is left of it
+        assert all(result.circular_spline.outline.size for result in pool.map(hdconj.solve, [None, None]))
+
+
 def test_progress_by_function():
     told = []
     hdconj.contact(
