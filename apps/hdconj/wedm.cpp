@@ -88,8 +88,7 @@ WireInput stored(CommonOptions const& common, WireArguments const& own)
                         "change keys of the table [wedm] only, or leave --from out");
     }
     auto result = read_outline(own.from);
-    auto reading = examine_scene(result.scene, own.from, {}, common.overrides);
-    examine_geometry(reading);
+    auto reading = examine_stored_scene(result, own.from, common.overrides);
     refuse(std::move(reading.faults));
     if (result.verb.empty())
         return {std::move(reading.scene), std::move(result.outline), {}};

@@ -24,9 +24,10 @@ namespace hdconj {
 [[nodiscard]] Scene read_scene(std::filesystem::path const& file, std::vector<std::string> const& overrides = {});
 
 /// Parses a scene given as text; relative file names start at @p folder.
+/// @param files  what files hold that are not read again, by their names in the scene
 [[nodiscard]] Scene parse_scene(std::string_view text, std::string const& name,
                                 std::filesystem::path const& folder = {},
-                                std::vector<std::string> const& overrides = {});
+                                std::vector<std::string> const& overrides = {}, scene::NamedTexts files = {});
 
 /// The text of the built-in scene: the thesis' type-50 drive (data/scenes/type-50.toml).
 [[nodiscard]] std::string_view builtin_scene_text();
@@ -42,16 +43,19 @@ inline constexpr std::size_t largest_scene = std::size_t{16} << 20;
                                                      std::vector<std::string> const& overrides = {});
 
 /// Reads a scene from text; relative file names start at @p folder.
+/// @param files  what files hold that are not read again, by their names in the scene
 [[nodiscard]] scene::SceneReading examine_scene(std::string_view text, std::string const& name,
                                                 std::filesystem::path const& folder = {},
-                                                std::vector<std::string> const& overrides = {});
+                                                std::vector<std::string> const& overrides = {},
+                                                scene::NamedTexts files = {});
 
 /// Adds the faults that need geometry to be seen (check_scene) when all that it needs is known, in order of place. A
 /// key that has a fault already gets no second one.
 void examine_geometry(scene::SceneReading& reading);
 
-/// One JSON object: "scene", "faults" [{"path", "line", "value", "reason", "remedy", "origin", "set", "kind"}], and,
-/// when there is a plan, "stages" [{"stage", "reason"}], "absent" [{"effect", "remedy"}] and "judgement" with
+/// One JSON object: "format", "format_version", "scene", "faults" [{"path", "line", "value", "reason", "remedy",
+/// "origin", "set", "kind"}], and, when there is a plan, "stages" [{"stage", "reason"}], "absent" [{"effect",
+/// "remedy"}] and "judgement" with
 /// @p notes. @p plan may be null.
 [[nodiscard]] std::string check_json(std::string const& scene_name, Faults const& faults, Plan const* plan,
                                      Notes const& notes = {});

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hdconj/file/written_file.hpp"
+#include "hdconj/scene/reading.hpp"
 #include "hdconj/solution.hpp"
 
 namespace hdconj {
@@ -73,7 +74,14 @@ struct StoredOutline
                        ///< clearance, tip circle and tilt may differ from the scene's. Empty: solve
     std::optional<double> side_clearance;  ///< that the outline of a case includes, where the file says so [mm]
     std::vector<StoredCase> cases;         ///< of contact or load
+    scene::NamedTexts files;               ///< what the files held that the scene names; empty in older results
 };
+
+/// Reads the scene that the result @p file holds, and its geometry's faults. A file that the scene names and the result
+/// does not keep is looked for beside the result.
+/// @throws InputError where it is not there
+[[nodiscard]] scene::SceneReading examine_stored_scene(StoredOutline const& stored, std::filesystem::path const& file,
+                                                       std::vector<std::string> const& overrides = {});
 
 /// Reads what write_hdf5 wrote of the circular spline, of any verb that solves one.
 /// @throws InputError where @p file is none of our results, or its parts contradict each other

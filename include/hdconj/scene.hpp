@@ -325,6 +325,7 @@ struct Scene
     std::string text;                                    ///< the scene as given, after --set
     std::map<std::string, GivenKey, std::less<>> given;  ///< each key and table that is there, by path
     std::filesystem::path folder;                        ///< where relative file names start
+    scene::NamedTexts files;                             ///< what the files held that it names, when it was read
 
     /// Whether the circular spline's tooth is given and the flexspline's solved for.
     [[nodiscard]] bool is_reverse() const { return circular_spline.profile.has_value() && !wants_neutral_curve(); }

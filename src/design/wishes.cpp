@@ -141,7 +141,8 @@ class WishFaults
         given.value.text = wishes_.name;
         given.value.written = in_quotes(printable(wishes_.name));
         scene::ParameterSpec const spec{"name", scene::Quantity::text, "name of the drive"};
-        auto const read = scene::validate_value(spec, "\"type-50\"", given, "name", {});
+        Scene without_files;
+        auto const read = scene::validate_value(spec, "\"type-50\"", given, "name", without_files);
         if (auto const* const found = std::get_if<Faults>(&read))
             faults_.insert(faults_.end(), found->begin(), found->end());
     }

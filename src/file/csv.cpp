@@ -5,23 +5,33 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <iterator>
+#include <sstream>
 #include <system_error>
 
 namespace hdconj::file {
+namespace {
 
-std::optional<Unreadable> read_lines(std::filesystem::path const& file, std::uintmax_t largest,
-                                     std::function<bool(std::string_view line, int number)> const& take)
+using TakeLine = std::function<bool(std::string_view line, int number)>;
+
+/// Opens @p file into @p in.
+std::optional<Unreadable> open(std::filesystem::path const& file, std::uintmax_t largest, std::ifstream& in)
 {
     std::error_code ignored;
     if (std::filesystem::is_directory(file, ignored))
         return Unreadable::is_folder;
-    std::ifstream in(file);
+    in.open(file);
     if (!in)
         return Unreadable::not_opened;
     if (!std::filesystem::is_regular_file(file, ignored))
         return Unreadable::endless;
     if (std::filesystem::file_size(file, ignored) > largest)
         return Unreadable::too_large;
+    return std::nullopt;
+}
+
+void take_lines(std::istream& in, TakeLine const& take)
+{
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
     std::string line;
     for (int number = 1; std::getline(in, line); ++number) {
@@ -31,16 +41,49 @@ std::optional<Unreadable> read_lines(std::filesystem::path const& file, std::uin
         if (!take(text, number))
             break;
     }
+}
+
+/// @p take of lines that are neither blank nor a comment.
+TakeLine rows_only(TakeLine const& take)
+{
+    return [&take](std::string_view line, int number) {
+        std::string_view const content = trimmed(line);
+        return content.empty() || content.front() == '#' || take(line, number);
+    };
+}
+
+}  // namespace
+
+std::optional<Unreadable> read_lines(std::filesystem::path const& file, std::uintmax_t largest, TakeLine const& take)
+{
+    std::ifstream in;
+    auto const refused = open(file, largest, in);
+    if (!refused)
+        take_lines(in, take);
+    return refused;
+}
+
+std::optional<Unreadable> read_csv(std::filesystem::path const& file, std::uintmax_t largest, TakeLine const& take)
+{
+    return read_lines(file, largest, rows_only(take));
+}
+
+std::optional<Unreadable> read_csv(std::filesystem::path const& file, std::string const* content,
+                                   std::uintmax_t largest, TakeLine const& take)
+{
+    if (content == nullptr)
+        return read_csv(file, largest, take);
+    std::istringstream in(*content);
+    take_lines(in, rows_only(take));
     return std::nullopt;
 }
 
-std::optional<Unreadable> read_csv(std::filesystem::path const& file, std::uintmax_t largest,
-                                   std::function<bool(std::string_view line, int number)> const& take)
+std::shared_ptr<std::string const> whole_text(std::filesystem::path const& file, std::uintmax_t largest)
 {
-    return read_lines(file, largest, [&](std::string_view line, int number) {
-        std::string_view const content = trimmed(line);
-        return content.empty() || content.front() == '#' || take(line, number);
-    });
+    std::ifstream in;
+    if (open(file, largest, in))
+        return nullptr;
+    return std::make_shared<std::string const>(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
 }
 
 std::string_view trimmed(std::string_view text, std::string_view blanks)

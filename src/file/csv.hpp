@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -31,6 +32,14 @@ std::optional<Unreadable> read_lines(std::filesystem::path const& file, std::uin
 /// The same of every line that is neither blank nor a comment (first character '#').
 std::optional<Unreadable> read_csv(std::filesystem::path const& file, std::uintmax_t largest,
                                    std::function<bool(std::string_view line, int number)> const& take);
+
+/// The same of @p content, which @p file held; null: it is read.
+std::optional<Unreadable> read_csv(std::filesystem::path const& file, std::string const* content,
+                                   std::uintmax_t largest,
+                                   std::function<bool(std::string_view line, int number)> const& take);
+
+/// All that @p file holds; null where read_lines() would not read it.
+[[nodiscard]] std::shared_ptr<std::string const> whole_text(std::filesystem::path const& file, std::uintmax_t largest);
 
 /// @p text without @p blanks at either end.
 [[nodiscard]] std::string_view trimmed(std::string_view text, std::string_view blanks = " \t\r\n\"");

@@ -144,29 +144,32 @@ NumberPairs read_number_pairs(FamilyChoice const& choice, std::string_view key, 
         refuse(std::move(reason), std::move(remedy));
         return false;
     };
-    auto const unreadable = file::read_csv(pairs.file, largest_number_file, [&](std::string_view line, int number) {
-        line = line.substr(0, line.find('#'));
-        NumberPair row{{}, number};
-        bool const ok = read_pair(line, row.value);
-        if (!ok && pairs.rows.empty() && !header_seen) {
-            header_seen = true;
-            units = column_units(line, columns);
-            return units.reason.empty() ||
-                   stop("line " + std::to_string(number) + " of " + pairs.file + ": " + units.reason, units.remedy);
-        }
-        for (std::size_t k = 0; k < row.value.size(); ++k)
-            row.value[k] *= units.factor[k];
-        std::string const place = "line " + std::to_string(number) + " of " + pairs.file + " ";
-        if (auto const right = ok ? "" : with_decimal_points(line); !right.empty())
-            return stop(place + "has decimal commas", "write decimal points: " + right);
-        auto const fault = ok ? fault_of(row, columns) : "is not a pair of finite numbers";
-        if (!fault.empty())
-            return stop(place + fault, "write two numbers " + std::string(what) + " on each line");
-        if (pairs.rows.size() == most_number_pairs)
-            return stop(pairs.file + " holds more than " + std::to_string(most_number_pairs) + " points", thin_it);
-        pairs.rows.push_back(row);
-        return true;
-    });
+    auto const given = choice.given.find(key);
+    std::string const* const content = given == choice.given.end() ? nullptr : given->second.content.get();
+    auto const unreadable =
+        file::read_csv(pairs.file, content, largest_number_file, [&](std::string_view line, int number) {
+            line = line.substr(0, line.find('#'));
+            NumberPair row{{}, number};
+            bool const ok = read_pair(line, row.value);
+            if (!ok && pairs.rows.empty() && !header_seen) {
+                header_seen = true;
+                units = column_units(line, columns);
+                return units.reason.empty() ||
+                       stop("line " + std::to_string(number) + " of " + pairs.file + ": " + units.reason, units.remedy);
+            }
+            for (std::size_t k = 0; k < row.value.size(); ++k)
+                row.value[k] *= units.factor[k];
+            std::string const place = "line " + std::to_string(number) + " of " + pairs.file + " ";
+            if (auto const right = ok ? "" : with_decimal_points(line); !right.empty())
+                return stop(place + "has decimal commas", "write decimal points: " + right);
+            auto const fault = ok ? fault_of(row, columns) : "is not a pair of finite numbers";
+            if (!fault.empty())
+                return stop(place + fault, "write two numbers " + std::string(what) + " on each line");
+            if (pairs.rows.size() == most_number_pairs)
+                return stop(pairs.file + " holds more than " + std::to_string(most_number_pairs) + " points", thin_it);
+            pairs.rows.push_back(row);
+            return true;
+        });
     if (refused)
         return NumberPairs{};
     if (!unreadable)

@@ -125,12 +125,12 @@ class RowColumns
 };
 
 /// What became of reading the file.
-std::optional<FileRefusal> read_all(std::filesystem::path const& file, RowColumns& columns,
+std::optional<FileRefusal> read_all(std::filesystem::path const& file, std::string const* content, RowColumns& columns,
                                     std::map<int, std::vector<double>>& rows)
 {
     bool header = true;
     std::optional<FileRefusal> refusal;
-    auto const unreadable = file::read_csv(file, largest_number_file, [&](std::string_view line, int number) {
+    auto const unreadable = file::read_csv(file, content, largest_number_file, [&](std::string_view line, int number) {
         refusal = header ? columns.find(line) : columns.take(line, rows);
         header = false;
         if (refusal)
@@ -157,13 +157,22 @@ std::optional<FileRefusal> read_all(std::filesystem::path const& file, RowColumn
 
 }  // namespace
 
-std::variant<Parameter, Faults> rows_of_file(ParameterSpec const& spec, RawEntry const& entry, std::string const& path,
-                                             std::filesystem::path const& folder)
+std::shared_ptr<std::string const> content_of(Scene& scene, std::string const& name)
 {
-    std::filesystem::path const name(entry.value.text);
+    auto const [found, is_new] = scene.files.try_emplace(name);
+    if (is_new)
+        found->second =
+            file::whole_text(scene.folder / name, largest_number_file);  // an absolute name stands for itself
+    return found->second;
+}
+
+std::variant<Parameter, Faults> rows_of_file(ParameterSpec const& spec, RawEntry const& entry, std::string const& path,
+                                             Scene& scene)
+{
     RowColumns columns(spec.words.front());
     std::map<int, std::vector<double>> rows;
-    auto refusal = read_all(name.is_relative() ? folder / name : name, columns, rows);
+    auto const content = content_of(scene, entry.value.text);
+    auto refusal = read_all(scene.folder / entry.value.text, content.get(), columns, rows);
     if (!refusal && static_cast<double>(rows.size()) < spec.at_least)
         refusal = FileRefusal{"the file has " + std::to_string(rows.size()) + " rows",
                               "write at least " + number_text(spec.at_least)};

@@ -38,7 +38,7 @@ std::optional<Parameter> take_value(Validation& validation, TableSpec const& tab
     std::string const path = join(table.path, spec.key);
     validation.attempted.insert(path);
     validation.reading.scene.given[path] = {entry.line, entry.value.written};
-    auto verdict = validate_value(spec, example, entry, spelled, validation.reading.scene.folder);
+    auto verdict = validate_value(spec, example, entry, spelled, validation.reading.scene);
     if (auto* const faults = std::get_if<Faults>(&verdict)) {
         std::move(faults->begin(), faults->end(), std::back_inserter(validation.reading.faults));
         return std::nullopt;
@@ -164,10 +164,12 @@ Faults cross_faults(SceneReading const& reading)
     return faults;
 }
 
-SceneReading validate_scene(RawValue const& root, SceneFamilies const& families, std::filesystem::path const& folder)
+SceneReading validate_scene(RawValue const& root, SceneFamilies const& families, std::filesystem::path const& folder,
+                            NamedTexts files)
 {
     Validation validation{families, {}};
     validation.reading.scene.folder = folder;
+    validation.reading.scene.files = std::move(files);
     for (auto const& entry : root.entries)
         validate_member(validation, {"", "", &root}, entry);
     validate_missing(validation);

@@ -235,13 +235,12 @@ bool takes_file(ParameterSpec const& spec)
 }
 
 std::variant<Parameter, Faults> validate_value(ParameterSpec const& spec, std::string_view example,
-                                               RawEntry const& entry, std::string const& path,
-                                               std::filesystem::path const& folder)
+                                               RawEntry const& entry, std::string const& path, Scene& scene)
 {
     if (spec.quantity == Quantity::rows && entry.value.kind == Kind::array)
         return validate_rows(spec, entry, path);
     if (spec.quantity == Quantity::rows && entry.value.kind == Kind::text && takes_file(spec))
-        return rows_of_file(spec, entry, path, folder);
+        return rows_of_file(spec, entry, path, scene);
     if (refusal_of(spec, entry.value, "")) {  // the remedy takes longer than the check
         auto const refusal = refusal_of(spec, entry.value, write_instead(spec, example));
         return Faults{{path,
@@ -254,7 +253,8 @@ std::variant<Parameter, Faults> validate_value(ParameterSpec const& spec, std::s
                        FaultKind::value}};
     }
     if (entry.value.kind == Kind::text)
-        return Parameter{entry.value.text, entry.line};
+        return Parameter{entry.value.text, entry.line,
+                         spec.quantity == Quantity::file ? content_of(scene, entry.value.text) : nullptr};
     return Parameter{entry.value.number, entry.line};
 }
 

@@ -114,10 +114,10 @@ void validate_missing(Validation& validation);
 /// list.
 /// @param path     key path for the message
 /// @param example  good value for the remedy; may be empty
-/// @param folder   where relative file names start
+/// @param scene    whose folder and files a file name stands for
 [[nodiscard]] std::variant<Parameter, Faults> validate_value(ParameterSpec const& spec, std::string_view example,
                                                              RawEntry const& entry, std::string const& path,
-                                                             std::filesystem::path const& folder);
+                                                             Scene& scene);
 
 /// The same for a list of lists of numbers.
 [[nodiscard]] std::variant<Parameter, Faults> validate_rows(ParameterSpec const& spec, RawEntry const& entry,
@@ -126,10 +126,11 @@ void validate_missing(Validation& validation);
 /// The same for a CSV file in place of the list. Its header names the columns of the list with their units, in any
 /// order: "tooth,place [um]". Where rows are teeth a column `tooth` may number them from 1 on; then their order does
 /// not matter. Other columns are passed over.
-/// @param folder  where a relative name starts
 [[nodiscard]] std::variant<Parameter, Faults> rows_of_file(ParameterSpec const& spec, RawEntry const& entry,
-                                                           std::string const& path,
-                                                           std::filesystem::path const& folder);
+                                                           std::string const& path, Scene& scene);
+
+/// What the file @p name holds: as @p scene has it, else read and entered there. Null: it cannot be read.
+[[nodiscard]] std::shared_ptr<std::string const> content_of(Scene& scene, std::string const& name);
 
 // What must hold between values, table by table. Each adds what it finds to @p faults.
 

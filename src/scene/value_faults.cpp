@@ -43,7 +43,7 @@ void check_value(TableSpec const& table, KeySpec const& key, SceneReading& readi
         return;
     std::string const path = join(table.path, key.spec.key);
     RawEntry const entry{std::string(key.spec.key), raw_value(key.spec, *value), 0, ""};
-    auto verdict = validate_value(key.spec, key.example, entry, path, reading.scene.folder);
+    auto verdict = validate_value(key.spec, key.example, entry, path, reading.scene);
     if (auto* const faults = std::get_if<Faults>(&verdict)) {
         for (Fault& fault : *faults) {
             if (fault.value.empty())

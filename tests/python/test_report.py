@@ -46,6 +46,25 @@ def test_a_result_reports_its_own_numbers(tmp_path):
 TABLE = SOURCE / "data/scenes/cam-table.toml"
 
 
+def test_a_result_holds_the_files_that_its_scene_names(tmp_path, monkeypatch):
+    (tmp_path / "sub").mkdir()
+    for ending, more in ((".toml", b""), (".csv", b"# \xb5\n")):  # not all is UTF-8
+        (tmp_path / f"sub/cam-table{ending}").write_bytes(TABLE.with_suffix(ending).read_bytes() + more)
+    monkeypatch.chdir(tmp_path)
+    solution = hdconj.solve("sub/cam-table.toml")
+    hdconj.report("sub/cam-table.toml", "computed.html")
+    (tmp_path / "sub/cam-table.csv").unlink()
+    solution.report("own.html")
+    solution.to_hdf5("python.h5")
+    hdconj.report("python.h5", "read.html")
+    run_program("report", "python.h5", "-o", "program.html")
+    (computed,) = drives_of("computed.html")
+    for page in ("own.html", "read.html", "program.html"):
+        (drive,) = drives_of(page)
+        assert drive["teeth"] == computed["teeth"]
+    assert hdconj.read("python.h5")["scene_files/name"].tolist() == ["cam-table.csv"]
+
+
 def test_a_scene_of_dictionaries_has_a_folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     scene = hdconj.Scene.load(TABLE)

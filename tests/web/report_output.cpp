@@ -204,6 +204,56 @@ TEST_CASE("report shows the drives that can be solved, and names the others", "[
     CHECK_FALSE(fs::exists(folder / "none.html"));
 }
 
+TEST_CASE("a result holds the files that its scene names", "[report][wire]")
+{
+    TemporaryFolder const folder;
+    fs::create_directories(folder / "sub");
+    fs::create_directories(folder / "away");
+    for (char const* const name : {"cam-table.toml", "cam-table.csv"})
+        fs::copy_file(scenes + name, folder / "sub" / name);
+    write(folder / "sub/form.csv", "height [mm],excess [um]\n-0.3,0\n-0.1,0.5\n0.1,0\n0.2,1\n");
+    std::string const form = " --set 'errors.profile_form=\"form.csv\"' ";
+    std::string const wire = " --set wedm.wire_diameter=0.1 --set wedm.spark_gap=0.01 ";
+    REQUIRE(hdconj_run("solve sub/cam-table.toml -o a.h5 -q" + form + wire, folder.path()).status == 0);
+    REQUIRE(hdconj_run("report sub/cam-table.toml -o computed.html" + form + wire, folder.path()).status == 0);
+    REQUIRE(hdconj_run("wedm sub/cam-table.toml --dialect csv -o cut" + wire, folder.path()).status == 0);
+    json const computed = drive_of(folder / "computed.html");
+    std::string table = content(folder / "sub/cam-table.csv");  // another motion under the same name
+    table.replace(table.find("0.25"), 4, "0.26");
+    write(folder / "away/cam-table.csv", table);
+    fs::path const away = folder / "away";
+    for (bool const has_foreign : {true, false}) {
+        auto const read = hdconj_run("report ../a.h5 -o read.html", away);
+        INFO(read.err);
+        REQUIRE(read.status == 0);
+        CHECK(drive_of(away / "read.html").at("teeth") == computed.at("teeth"));
+        CHECK(content(away / "read.html").find("scene_files") == std::string::npos);
+        auto const cut = hdconj_run("wedm --from ../a.h5 --dialect csv -o cut", away);
+        INFO(cut.err);
+        REQUIRE(cut.status == 0);
+        for (auto const& each : fs::directory_iterator(away / "cut"))
+            if (each.path().extension() == ".csv")
+                CHECK(content(each.path()) == content(folder / "cut" / each.path().filename()));
+        if (has_foreign)
+            fs::remove(away / "cam-table.csv");
+    }
+    {  // as former versions wrote it
+        io::hdf5::File const opened(H5Fopen((folder / "a.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT), "open");
+        io::hdf5::checked(H5Ldelete(opened, "scene_files", H5P_DEFAULT), "delete");
+    }
+    for (std::string const verb : {"report ../a.h5 -o old.html", "wedm --from ../a.h5 -o old"}) {
+        auto const old = hdconj_run(verb, away);
+        CHECK(old.status == 2);
+        CHECK_THAT(old.err, ContainsSubstring("cam-table.csv") && ContainsSubstring("neither kept in the result nor") &&
+                                ContainsSubstring("put the file there"));
+        CHECK(old.err.find("version") == std::string::npos);
+    }
+    for (char const* const name : {"cam-table.csv", "form.csv"})
+        fs::copy_file(folder / "sub" / name, folder / name);
+    REQUIRE(hdconj_run("report ../a.h5 -o beside.html", away).status == 0);
+    CHECK(drive_of(away / "beside.html").at("teeth") == computed.at("teeth"));
+}
+
 TEST_CASE("report --json says what was written and left out", "[report]")
 {
     TemporaryFolder const folder;

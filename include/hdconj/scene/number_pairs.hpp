@@ -44,10 +44,10 @@ struct NumberPairs
 [[nodiscard]] std::filesystem::path number_file(FamilyChoice const& choice, std::string_view key,
                                                 std::filesystem::path const& folder);
 
-/// Reads the CSV file that @p choice names under @p key. A line holds two finite numbers, separated by comma,
-/// semicolon, tab or blanks. A '#' starts a comment. One header line is allowed, and may name units: "x [inch]".
-/// Without units the columns are in mm and degrees. The file is regular and has at most most_number_pairs rows. Nothing
-/// is read when there are faults.
+/// Reads the CSV file that @p choice names under @p key, or what it held when the scene was read. A line holds two
+/// finite numbers, separated by comma, semicolon, tab or blanks. A '#' starts a comment. One header line is allowed,
+/// and may name units: "x [inch]". Without units the columns are in mm and degrees. The file is regular and has at most
+/// most_number_pairs rows. Nothing is read when there are faults.
 /// @param folder  where a relative name starts
 /// @param columns what the two hold; they are returned in mm and degrees
 /// @param what    the columns, for messages: "x,y in mm"

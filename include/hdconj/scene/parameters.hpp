@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -67,11 +68,16 @@ using NumberRows = std::vector<std::vector<double>>;
 /// Number, text or list as given in the scene.
 using ParameterValue = std::variant<double, std::string, NumberRows>;
 
+/// What the files of numbers hold that a scene names, by their names there; null: such a file could not be read.
+using NamedTexts = std::map<std::string, std::shared_ptr<std::string const>, std::less<>>;
+
 /// One given parameter with its place in the scene.
 struct Parameter
 {
     ParameterValue value;
     int line = 0;
+    /// Of the name of a file, what the file held when the scene was read; null: the file is read where it is needed.
+    std::shared_ptr<std::string const> content{};
 };
 
 /// A family's name and the parameters given to it (only those given).

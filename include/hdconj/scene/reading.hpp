@@ -34,9 +34,11 @@ struct SceneReading
     bool geometry_known = false;               ///< all that check_scene needs is there: its faults can be found too
 };
 
-/// Validates @p root, the top table of a scene. @param folder  where relative file names start
+/// Validates @p root, the top table of a scene.
+/// @param folder  where relative file names start
+/// @param files   what files hold that are not read again
 [[nodiscard]] SceneReading validate_scene(RawValue const& root, SceneFamilies const& families,
-                                          std::filesystem::path const& folder = {});
+                                          std::filesystem::path const& folder = {}, NamedTexts files = {});
 
 /// Faults between values that are each right: tooth difference and waves, tolerance and module, effects that
 /// exclude each other. Only values in @p reading.known are checked.

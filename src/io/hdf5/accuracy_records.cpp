@@ -3,6 +3,7 @@
 #include "figures/accuracy_figures.hpp"
 #include "hdconj/read_scene.hpp"
 #include "hdf5_files.hpp"
+#include "hdf5_group.hpp"
 #include "hdf5_reader.hpp"
 
 namespace hdconj::io {
@@ -40,7 +41,8 @@ AccuracyReport report_of(hid_t file, std::filesystem::path const& name)
 {
     AccuracyReport report;
     report.machine = hdf5::text_of(file, "machine");
-    report.scene = parse_scene(hdf5::text_of(file, "scene"), name.string());
+    report.scene = parse_scene(hdf5::text_of(file, "scene"), name.string(), name.parent_path(), {},
+                               layout::files_of(hdf5::StoredFile(file)));
     report.scene.drive.name = hdf5::text_of(file, "drive");
     report.threads = hdf5::number_of(file, "threads");
     report.sample = hdf5::number_of(file, "sample");

@@ -20,7 +20,7 @@ void layout::write_result(Writer const& root, StoredAccuracy const& study)
     root.attribute("date", date_text());
     root.attribute("machine", report.machine);
     root.attribute("drive", report.scene.drive.name);
-    root.attribute("scene", report.scene.text);
+    layout::write_scene(root, report.scene);
     write_attributes(root, figures::report_figures(), report);
     root.group("records", [&](Writer const& records) {
         for (auto const& column : figures::record_texts())

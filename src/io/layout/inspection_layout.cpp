@@ -30,7 +30,7 @@ void write_root(Writer const& root, Inspection const& inspection)
     root.attribute("build", std::string(build_description()));
     root.attribute("date", layout::date_text());
     root.attribute("drive", inspection.scene.drive.name);
-    root.attribute("scene", inspection.scene.text);
+    layout::write_scene(root, inspection.scene);
     root.attribute("part", std::string(to_string(inspection.options.part)));
     root.attribute("points_file", inspection.file);
     root.attribute("registration", std::string(to_string(inspection.options.registration)));

@@ -31,6 +31,9 @@ inline constexpr int accuracy_version = 2;
 /// @param balls  of the bearing: forces of single balls are in N, those of a line of balls (0) in N/mm
 [[nodiscard]] RecordedGroup whole_layout(int balls);
 
+/// The attribute `scene` and, where the scene names files, the group `scene_files` with what they held.
+void write_scene(Writer const& root, Scene const& scene);
+
 /// All of docs/reference/hdf5.md up to `/circular_spline`, summary and time.
 void write_solution(Writer const& root, Solution const& solution);
 

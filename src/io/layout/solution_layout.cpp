@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The layout of the result file, as docs/reference/hdf5.md describes it.
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <ctime>
@@ -23,6 +24,24 @@ std::string layout::date_text()
     return text.data();
 }
 
+void layout::write_scene(Writer const& root, Scene const& scene)
+{
+    root.attribute("scene", scene.text);
+    std::vector<std::string> names, texts;
+    for (auto const& [name, text] : scene.files)
+        if (text != nullptr) {
+            names.push_back(name);
+            texts.push_back(*text);
+            std::ranges::replace(texts.back(), '\0', ' ');  // would end the text in the file; no number has it
+        }
+    if (names.empty())
+        return;
+    root.group("scene_files", [&](Writer const& place) {
+        place.texts("name", names, "file that the scene names", "file");
+        place.texts("text", texts, "what the file held", "file");
+    });
+}
+
 namespace {
 
 using layout::column;
@@ -39,7 +58,7 @@ void write_provenance(Writer const& root, Solution const& solution)
     root.attribute("date", layout::date_text());
     root.attribute("drive", solution.scene.drive.name);
     root.attribute("given", figures::given_member(solution));
-    root.attribute("scene", solution.scene.text);
+    layout::write_scene(root, solution.scene);
     root.attribute("threads", solution.threads);
     root.attribute("plan", describe(solution.plan));
     root.attribute("stages", column(solution.plan.stages,

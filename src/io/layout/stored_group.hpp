@@ -71,6 +71,9 @@ class StoredGroup
 /// length
 void read_layout(StoredGroup const& place, RecordedGroup const& pattern, GroupSink& into);
 
+/// What the files held that the scene of the root @p result names; empty in older files, which do not keep it.
+[[nodiscard]] scene::NamedTexts files_of(StoredGroup const& result);
+
 /// Scene and circular spline of the root @p result. @throws Misfit where its parts contradict each other
 [[nodiscard]] StoredOutline stored_outline(StoredGroup const& result);
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
+#include "hdconj/error.hpp"
+#include "hdconj/read_scene.hpp"
 #include "results.hpp"
 #include "stored_group.hpp"
 
@@ -87,6 +91,19 @@ std::vector<StoredCase> cases_of(StoredGroup const& place)
 
 }  // namespace
 
+scene::NamedTexts files_of(StoredGroup const& result)
+{
+    scene::NamedTexts files;
+    if (!result.holds("scene_files"))
+        return files;
+    auto const place = result.group("scene_files");
+    auto const names = place->list<std::string>("name"), texts = place->list<std::string>("text");
+    require(names.size() == texts.size(), "lists of files differ in length");
+    for (std::size_t i = 0; i < names.size(); ++i)
+        files.emplace(names[i], std::make_shared<std::string const>(texts[i]));
+    return files;
+}
+
 StoredOutline stored_outline(StoredGroup const& result)
 {
     auto const format = result.attribute<std::string>("format");
@@ -96,7 +113,7 @@ StoredOutline stored_outline(StoredGroup const& result)
     require(format == "hdconj", "it is of another program");
     require(result.attribute<int>("format_version") <= format_version, "it was written by a newer version");
     auto const spline = result.group("circular_spline");
-    StoredOutline stored{result.attribute<std::string>("scene"), outline_of(*spline), {}, {}, {}};
+    StoredOutline stored{result.attribute<std::string>("scene"), outline_of(*spline), {}, {}, {}, files_of(result)};
     for (auto const& [group, verb] : {std::pair("contact", "contact"), {"load", "load"}, {"running", "run"}})
         if (result.holds(group))
             stored.verb = verb;
@@ -108,3 +125,24 @@ StoredOutline stored_outline(StoredGroup const& result)
 }
 
 }  // namespace hdconj::io::layout
+
+namespace hdconj {
+
+scene::SceneReading examine_stored_scene(StoredOutline const& stored, std::filesystem::path const& file,
+                                         std::vector<std::string> const& overrides)
+{
+    scene::SceneReading reading =
+        examine_scene(stored.scene, file.string(), file.parent_path(), overrides, stored.files);
+    Faults missing;
+    for (auto const& [name, text] : reading.scene.files)
+        if (text == nullptr)
+            missing.push_back({file.string(), 0, "",
+                               "its scene reads " + name + ", which is neither kept in the result nor beside it",
+                               "put the file there, or solve the scene anew"});
+    if (!missing.empty())
+        throw InputError(std::move(missing));
+    examine_geometry(reading);
+    return reading;
+}
+
+}  // namespace hdconj

@@ -21,7 +21,7 @@ void write_root(Writer const& root, WantedCurve const& found)
     root.attribute("build", std::string(build_description()));
     root.attribute("date", layout::date_text());
     root.attribute("drive", found.scene.drive.name);
-    root.attribute("scene", found.scene.text);
+    layout::write_scene(root, found.scene);
     root.attribute("kinematics", std::string(to_string(found.scene.solver.kinematics)));
     if (!found.notes.empty())
         root.attribute("notes", found.notes);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The layout of a result that has every part.
+#include <memory>
+
 #include "results.hpp"
 
 namespace hdconj::io {
@@ -8,6 +10,7 @@ namespace {
 Solution solution_with_all()
 {
     Solution solution;
+    solution.scene.files.emplace("", std::make_shared<std::string const>());
     solution.check.emplace();
     solution.notes.emplace_back();
     solution.judgement.emplace_back();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "builtin_scene.hpp"
 #include "hdconj/check.hpp"
@@ -34,14 +35,15 @@ Faults parse(std::string_view text, std::string const& name, toml::table& docume
 }
 
 scene::SceneReading validated(toml::table const& document, std::string_view text, std::string const& name,
-                              std::filesystem::path const& folder)
+                              std::filesystem::path const& folder, scene::NamedTexts files)
 {
     if (document.empty()) {
         return {
             {}, {{name, 0, "", "the scene is empty", "write a scene; `hdconj init` writes one to edit"}}, {}, false};
     }
     return scene::validate_scene(io::raw_of(document, text),
-                                 {profile::profile_families(), wavegen::wave_generator_families()}, folder);
+                                 {profile::profile_families(), wavegen::wave_generator_families()}, folder,
+                                 std::move(files));
 }
 
 /// An InputError on the way is a list of faults as well.
@@ -64,7 +66,7 @@ Scene scene_or_throw(scene::SceneReading reading)
 }  // namespace
 
 scene::SceneReading examine_scene(std::string_view text, std::string const& name, std::filesystem::path const& folder,
-                                  std::vector<std::string> const& overrides)
+                                  std::vector<std::string> const& overrides, scene::NamedTexts files)
 {
     toml::table document;
     Faults faults = parse(text, name, document);
@@ -72,7 +74,7 @@ scene::SceneReading examine_scene(std::string_view text, std::string const& name
     append(faults, io::apply_overrides(document, overrides));
     scene::SceneReading reading;
     if (has_document)
-        reading = validated(document, text, name, folder);
+        reading = validated(document, text, name, folder, std::move(files));
     append(reading.faults, std::move(faults));
     sort_by_place(reading.faults);
     reading.scene.text = overrides.empty() ? std::string(text) : io::toml_text(document);
@@ -109,9 +111,9 @@ Scene read_scene(std::filesystem::path const& file, std::vector<std::string> con
 }
 
 Scene parse_scene(std::string_view text, std::string const& name, std::filesystem::path const& folder,
-                  std::vector<std::string> const& overrides)
+                  std::vector<std::string> const& overrides, scene::NamedTexts files)
 {
-    return scene_or_throw(examine_scene(text, name, folder, overrides));
+    return scene_or_throw(examine_scene(text, name, folder, overrides, std::move(files)));
 }
 
 std::string_view builtin_scene_text()

@@ -15,12 +15,12 @@ namespace hdconj::report {
 [[nodiscard]] inline std::set<std::string> left_of_part(std::string_view part)
 {
     if (part == "solve")
-        return {"circular_spline", "neutral_curve", "contact", "load"};
+        return {"circular_spline", "neutral_curve", "contact", "load", "scene_files"};
     if (part == "wedm")
         return {"xy"};
-    std::set<std::string> left{"flexspline", "neutral_curve", "envelope",       "conjugate_zones",
-                               "undecided",  "notes",         "summary",        "timing",
-                               "xy",         "end",           "circular_spline"};
+    std::set<std::string> left{"flexspline", "neutral_curve", "envelope",        "conjugate_zones",
+                               "undecided",  "notes",         "summary",         "timing",
+                               "xy",         "end",           "circular_spline", "scene_files"};
     left.insert(part == "contact" ? "load" : "contact");
     return left;
 }

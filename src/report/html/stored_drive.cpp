@@ -109,8 +109,7 @@ ReportedDrive drive_from(StoredGroup const& result, std::filesystem::path const&
     } catch (Json::exception const&) {
         throw Misfit("parts of it are missing or damaged");
     }
-    scene::SceneReading reading = examine_scene(stored.scene, file.string());
-    examine_geometry(reading);
+    scene::SceneReading reading = examine_stored_scene(stored, file);
     if (!reading.faults.empty())
         throw InputError(Fault{file.string(), 0, "",
                                fmt::format("holds a scene that this version refuses, {} fault{}, the first: {}",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fstream>
+#include <memory>
 
 #include "hdconj/contact_files.hpp"
 #include "hdconj/error.hpp"
@@ -38,9 +39,13 @@ TEST_CASE("a stored outline is read back bit for bit, with its scene", "[wire]")
     test::TemporaryFolder const folder;
     auto solution = sample::solution();
     solution.scene.text = "[drive]\nname = \"\xc3\xa4\"\n";
+    auto const table = std::make_shared<std::string const>("# \xb5\n0,1\n\n2,3");  // not all is UTF-8
+    solution.scene.files = {{"a.csv", table}, {"none.csv", nullptr}};
     write_hdf5(solution, folder / "a.h5");
     auto const one = read_outline(folder / "a.h5");
     CHECK(one.scene == solution.scene.text);
+    REQUIRE(one.files.size() == 1);
+    CHECK(*one.files.at("a.csv") == *table);
     check_same(one.outline, solution.circular_spline);
     CHECK(one.verb.empty());
     CHECK_FALSE(one.side_clearance);
