@@ -51,14 +51,16 @@ struct PartPoint
     int tooth = 0;              ///< number in the file; 0: none
     std::optional<bool> right;  ///< flank that the file names; absent: the nearer one
     int line = 0;               ///< of the file
+    std::size_t layer = 0;      ///< of a drawing: index into PointFile::layers
 };
 
 /// A file of measured points.
 struct PointFile
 {
-    std::string file;               ///< as given
-    std::vector<PartPoint> points;  ///< in the order of the file
-    bool has_z = false;             ///< whether the file says the plane of each point
+    std::string file;                   ///< as given
+    std::vector<PartPoint> points;      ///< in the order of the file
+    bool has_z = false;                 ///< whether the file says the plane of each point
+    std::vector<std::string> layers{};  ///< of a drawing: those that have points
 };
 
 /// A larger file is refused unread [bytes].

@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -53,6 +54,8 @@ class DxfPoints
         using namespace file::dxf;
         if (code == code_type) {
             end_entity();
+            if (value != "VERTEX")  // which is of the layer of its polyline where it names none
+                layer_ = "0";
             entity_ = value;
             line_ = line;
         } else if (code == code_name && entity_ == "SECTION") {
@@ -62,6 +65,8 @@ class DxfPoints
         } else if (code == code_flags && variable_ == "$INSUNITS") {
             set_unit(value, line);
             variable_.clear();
+        } else if (in_entities_ && code == code_layer) {
+            layer_ = value.empty() ? "0" : value;
         } else if (in_entities_ && (entity_ == "POINT" || entity_ == "VERTEX" || entity_ == "LWPOLYLINE")) {
             take_coordinate(code, value, line);
         }
@@ -105,12 +110,19 @@ class DxfPoints
         double const length = *number * factor_;
         if (code == code_x) {
             end_point();
-            point_ = PartPoint{Vec2(length, 0), elevation_, 0, std::nullopt, line_};
+            point_ = PartPoint{Vec2(length, 0), elevation_, 0, std::nullopt, line_, number_of_layer()};
         } else if (code == code_elevation) {
             elevation_ = length;
         } else if (point_) {
             (code == code_y ? point_->where.y() : point_->z) = length;
         }
+    }
+    std::size_t number_of_layer()
+    {
+        auto const [found, is_new] = layers_.emplace(layer_, layers_.size());
+        if (is_new)
+            result_.measured.layers.emplace_back(printable(layer_));
+        return found->second;
     }
     void end_entity()
     {
@@ -128,7 +140,8 @@ class DxfPoints
 
     PointReading& result_;
     file::FurtherFaults further_;
-    std::string entity_, variable_;
+    std::string entity_, variable_, layer_ = "0";
+    std::map<std::string, std::size_t> layers_;
     bool in_entities_ = false;
     double factor_ = 1, elevation_ = 0;
     int line_ = 0;

@@ -2,11 +2,13 @@
 #include "plane_points.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
 #include <tuple>
 
 #include "base/text.hpp"
@@ -17,6 +19,32 @@
 #include "registration.hpp"
 
 namespace hdconj::inspect {
+
+PointFile of_own_layer(PointFile const& measured, InspectedPart part)
+{
+    if (measured.layers.size() < 2)
+        return measured;
+    std::string const own = part == InspectedPart::circular_spline ? "CIRCULAR_SPLINE" : "FLEXSPLINE_TOOTH";
+    auto const found = std::ranges::find(measured.layers, own);
+    if (found == measured.layers.end()) {
+        constexpr std::size_t most_named = 8;
+        std::span const named(measured.layers.data(), std::min(most_named, measured.layers.size()));
+        throw InputError(
+            Fault{"DXF", 0, "",
+                  fmt::format("has points on {} layers: {}{}", measured.layers.size(), fmt::join(named, ", "),
+                              named.size() < measured.layers.size() ? ", ..." : ""),
+                  "keep the layer of the measured points alone, or name it " + own, measured.file});
+    }
+    PointFile chosen{measured.file, {}, false, {own}};
+    for (PartPoint point : measured.points) {
+        if (point.layer != static_cast<std::size_t>(found - measured.layers.begin()))
+            continue;
+        point.layer = 0;
+        chosen.has_z = chosen.has_z || point.z != 0;
+        chosen.points.push_back(point);
+    }
+    return chosen;
+}
 
 PlanePoints points_on(std::vector<double> const& z, PointFile const& measured)
 {

@@ -18,6 +18,10 @@ struct PlanePoints
     std::size_t repeated = 0;  ///< points left out, because the same stands in the file before
 };
 
+/// The points of a drawing's layer that has the part, where it has several: the one that `solve --dxf` gives that name.
+/// @throws InputError where there is none
+[[nodiscard]] PointFile of_own_layer(PointFile const& measured, InspectedPart part);
+
 /// The points of the planes @p z, each once.
 [[nodiscard]] PlanePoints points_on(std::vector<double> const& z, PointFile const& measured);
 

@@ -107,7 +107,7 @@ void require_finite(Faults& faults, char const* option, std::optional<double> gi
 
 }  // namespace
 
-Inspection inspect_points(Scene const& scene, PointFile const& measured, InspectOptions const& options,
+Inspection inspect_points(Scene const& scene, PointFile const& given, InspectOptions const& options,
                           StageObserver const& on_stage)
 {
     if (Faults const values = scene::value_faults(scene); !values.empty())
@@ -117,6 +117,7 @@ Inspection inspect_points(Scene const& scene, PointFile const& measured, Inspect
     require_finite(faults, "--plane", options.plane);
     if (!faults.empty())
         throw InputError(faults);
+    PointFile const measured = inspect::of_own_layer(given, options.part);
     std::vector<double> const z = inspect::planes_of(measured, options);
     inspect::refuse_planes_outside(z, scene, measured, options);
     NominalPart part;
@@ -134,6 +135,9 @@ Inspection inspect_points(Scene const& scene, PointFile const& measured, Inspect
     part.scale = part.planes.front().reference_radius;
     Inspection result = inspect::evaluated(scene, part, z, measured, options);
     result.geometry = geometry;
+    if (given.layers.size() > measured.layers.size())
+        result.notes.push_back(fmt::format("of the {} layers of the drawing {} is read alone", given.layers.size(),
+                                           measured.layers.front()));
     return result;
 }
 

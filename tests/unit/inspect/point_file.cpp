@@ -2,6 +2,8 @@
 #include "hdconj/error.hpp"
 #include "hdconj/inspect.hpp"
 #include "hdconj/read_scene.hpp"
+#include "hdconj/result_files.hpp"
+#include "hdconj/solve.hpp"
 #include "support/catch.hpp"
 #include "support/measured_ring.hpp"
 #include "support/temporary_folder.hpp"
@@ -123,6 +125,8 @@ TEST_CASE("points and polylines of a drawing are read, in the unit of the drawin
     CHECK(found.measured.points[1].z == 0);
     CHECK(found.measured.points[3].z == Approx(2.54));
 
+    CHECK(found.measured.layers == std::vector<std::string>{"0"});
+
     std::string const begin = "0\nSECTION\n2\nENTITIES\n0\nPOINT\n10\n";
     for (auto const& [text, reason] :
          std::vector<std::pair<std::string, std::string>>{{"", "no POINT and no polyline"},
@@ -136,6 +140,25 @@ TEST_CASE("points and polylines of a drawing are read, in the unit of the drawin
         REQUIRE_FALSE(refused.faults.empty());
         CHECK_THAT(describe(refused.faults), ContainsSubstring(reason));
     }
+}
+
+TEST_CASE("of a drawing with several layers the one of the part is read, or none", "[inspect]")
+{
+    TemporaryFolder const folder;
+    write_dxf(solve(builtin_scene()), folder / "drive.dxf");
+    PointFile measured = examine_points(folder / "drive.dxf").measured;
+    CHECK(measured.layers == std::vector<std::string>{"CIRCULAR_SPLINE", "FLEXSPLINE_TOOTH", "NEUTRAL_CURVE"});
+    InspectOptions options;
+    options.part = InspectedPart::circular_spline;
+    Inspection const found = inspect_points(builtin_scene(), measured, options);
+    CHECK(found.placement.rms < 1e-6);
+    CHECK(found.placement.shift_y.value < 1e-3);
+    REQUIRE_FALSE(found.notes.empty());
+    CHECK(found.notes.back() == "of the 3 layers of the drawing CIRCULAR_SPLINE is read alone");
+    measured.layers[0] = "0";
+    CHECK_THROWS_WITH(inspect_points(builtin_scene(), measured, options),
+                      ContainsSubstring("has points on 3 layers: 0, FLEXSPLINE_TOOTH, NEUTRAL_CURVE") &&
+                          ContainsSubstring("CIRCULAR_SPLINE"));
 }
 
 TEST_CASE("one report lists twenty faults of a file of points and counts the others", "[inspect]")
