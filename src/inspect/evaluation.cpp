@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "common_errors.hpp"
 #include "mean_flank.hpp"
 #include "numeric/least_squares.hpp"
 #include "plane_points.hpp"
@@ -58,7 +59,7 @@ Fitted fitted(PointReader const& read, PlanePoints const& on, PointFile const& m
     Fitted found;
     found.used.assign(on.points.size(), true);
     for (int round = 0; round < most_rounds; ++round) {
-        Registered what{read, {}, options.registration, threads};
+        Registered what{read, {}, options.registration, threads, measured.file};
         for (std::size_t i = 0; i < on.points.size(); ++i)
             if (found.used[i])
                 what.points.push_back(on.points[i]);
@@ -122,10 +123,32 @@ void add_points(Inspection& result, Fitted const& found, PlanePoints const& on, 
     result.placement.rms = count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0;
 }
 
+/// Whether the teeth hardly tell a shift from errors that all flanks share.
+/// @param inverse  covariance of the unknowns beside common errors
+/// @param rows     derivatives of the deviations
+void add_note_of_sector(Inspection& result, Eigen::MatrixXd const& inverse, Eigen::MatrixXd const& rows)
+{
+    constexpr double weak = 2, small_part = 0.05;
+    // its eigenvalues are 1 over the squared sines of the angles between both; the largest is hardly below this
+    double const squared = (inverse * (rows.transpose() * rows)).trace() - static_cast<double>(rows.cols() - 1);
+    if (result.options.registration == Registration::minimum_zone) {
+        if (double const part = 1 - 1 / squared; part > small_part)
+            result.notes.push_back(
+                fmt::format("a minimum zone of these teeth takes up to {:.0f} % of what all flanks have in common "
+                            "(thickness, slope, "
+                            "crowning) for a shift: write --register turn if the axis is known, else least-squares",
+                            100 * part));
+    } else if (squared > weak * weak) {
+        result.notes.push_back(fmt::format(
+            "the teeth hardly tell a shift from thickness, slope and crowning: errors of another form that all flanks "
+            "share come into these up to {:.0f}-fold, beyond the intervals; write --register turn if the axis is known",
+            std::sqrt(squared)));
+    }
+}
+
 /// Turn and shift with what noise makes of them.
-/// @returns what the registration's error adds to other figures, see RingData
-Eigen::Matrix3d add_placement(Inspection& result, Fitted const& found, NominalPart const& part,
-                              Intervals const& intervals, int threads)
+RegistrationNoise add_placement(Inspection& result, Fitted const& found, NominalPart const& part,
+                                Intervals const& intervals, int threads)
 {
     int const unknowns = unknowns_of(result.options.registration);
     PartPlacement& placement = result.placement;
@@ -134,7 +157,7 @@ Eigen::Matrix3d add_placement(Inspection& result, Fitted const& found, NominalPa
     placement.turn.value = at.turn;
     placement.shift_x.value = at.shift.x();
     placement.shift_y.value = at.shift.y();
-    Eigen::Matrix3d of_figures = Eigen::Matrix3d::Zero();
+    RegistrationNoise of_figures;
     if (unknowns == 0)
         return of_figures;
     std::vector<PointView> used;
@@ -145,16 +168,27 @@ Eigen::Matrix3d add_placement(Inspection& result, Fitted const& found, NominalPa
             points.push_back(i);
         }
     Eigen::MatrixXd const rows = jacobian(used, at, part, unknowns);
+    Eigen::MatrixXd own = rows;
+    if (unknowns == most_unknowns) {
+        CommonErrors const common(used, part);
+        of_figures.explained = common.explained(rows);
+        own = common.without(rows);
+    }
+    Eigen::MatrixXd const inverse = numeric::covariance(own);
+    add_note_of_sector(result, inverse, rows);
     Eigen::Vector3d error = Eigen::Vector3d::Zero();
     double const noise = intervals.noise();
+    auto& covariance = of_figures.covariance;
     if (result.options.registration == Registration::minimum_zone && noise > part.tolerance().roundoff()) {
         ZoneError const zone = zone_error(rows, without_noise(points, used, found.fits, noise), noise, threads);
         error = zone.half_width.array() + intervals.systematic();
-        of_figures = zone.covariance / (noise * noise);
+        covariance.topLeftCorner<most_unknowns, most_unknowns>() = zone.covariance / (noise * noise);
     } else {
-        Eigen::MatrixXd const inverse = numeric::covariance(rows);
         for (Eigen::Index i = 0; i < unknowns; ++i)
             error[i] = intervals.half_width(inverse(i, i));
+        covariance.topLeftCorner(unknowns, unknowns) = inverse;
+        covariance.block(0, most_unknowns, unknowns, unknowns) = -inverse;
+        covariance.block(most_unknowns, 0, unknowns, unknowns) = -inverse;
     }
     placement.turn.error = error[0] / part.planes.front().reference_radius;
     if (unknowns == most_unknowns) {
@@ -220,19 +254,24 @@ Inspection evaluated(Scene const& scene, NominalPart const& part, std::vector<do
     PointReader const read(part, options.probe);
     Fitted const found = fitted(read, on, measured, options, scene.solver.threads);
     NoiseSum sum;
+    double freedom = 0;
     for (FlankFit const& fit : found.fits) {
         NoiseSum const each = noise_of(fit.parabola);
         sum.squares += each.squares;
         sum.differences += each.differences;
+        freedom += static_cast<double>(fit.parabola.points.size()) - 3;
     }
+    // two components of a shift change the remainders too: much of those of one tooth
+    double const left = unknowns_of(options.registration) == most_unknowns ? 1 - 2 / freedom : 1;
     double error = 0;
     for (NominalPlane const& plane : part.planes)
         error = std::max(error, plane.error);
-    Intervals const intervals(sum.squares, sum.differences, error + part.tolerance().roundoff());
+    Intervals const intervals(sum.squares, left * static_cast<double>(sum.differences),
+                              error + part.tolerance().roundoff());
     result.noise = intervals.noise();
     result.freedom = intervals.freedom();
     add_points(result, found, on, measured, part, z);
-    Eigen::Matrix3d const registration = add_placement(result, found, part, intervals, scene.solver.threads);
+    RegistrationNoise const registration = add_placement(result, found, part, intervals, scene.solver.threads);
     RingData data{read, on.points, z, found.placement, found.fits, numbers_of(found, on, measured), {}, registration};
     data.teeth = tooth_fits(data);
     result.flanks = flank_figures(data, intervals);

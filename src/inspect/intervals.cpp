@@ -39,10 +39,10 @@ std::size_t rival_pairs(std::vector<Candidate> const& candidates, double range, 
 
 }  // namespace
 
-Intervals::Intervals(double squares, std::size_t differences, double systematic) : systematic_(systematic)
+Intervals::Intervals(double squares, double differences, double systematic) : systematic_(systematic)
 {
-    freedom_ = static_cast<double>(differences) / differences_per_freedom;
-    noise_ = differences > 0 ? std::sqrt(squares / static_cast<double>(differences)) : 0;
+    freedom_ = std::max(0.0, differences) / differences_per_freedom;
+    noise_ = differences > 0 ? std::sqrt(squares / differences) : 0;
 }
 
 double Intervals::half_width(double variance, std::size_t rivals) const
@@ -50,14 +50,15 @@ double Intervals::half_width(double variance, std::size_t rivals) const
     if (!(freedom_ > 0))
         return std::numeric_limits<double>::quiet_NaN();
     double const tail = outside / 2 / static_cast<double>(rivals);
-    return systematic_ + noise_ * std::sqrt(variance) * gsl_cdf_tdist_Qinv(tail, freedom_);
+    // of two noises that cancel each other rounding may leave less than nothing
+    return systematic_ + noise_ * std::sqrt(std::max(0.0, variance)) * gsl_cdf_tdist_Qinv(tail, freedom_);
 }
 
 Uncertain Intervals::amplitude(double value, double variance) const
 {
     // of two components over noise: twice Fisher's F(2, freedom), whose quantile has this closed form
     double const squares = freedom_ * (std::pow(outside, -2 / freedom_) - 1);
-    double const of_zero = systematic_ + noise_ * std::sqrt(variance * squares);
+    double const of_zero = systematic_ + noise_ * std::sqrt(std::max(0.0, variance) * squares);
     return value > 2 * of_zero ? figure(value, variance) : Uncertain{value, of_zero};
 }
 

@@ -14,9 +14,9 @@ class Intervals
 {
   public:
     /// @param squares      sum over the second differences, see noise_of()
-    /// @param differences  how many there are
+    /// @param differences  how many there are, less the share that a fit has taken
     /// @param systematic   error of the nominal outline and of rounding, in every figure [mm]
-    Intervals(double squares, std::size_t differences, double systematic);
+    Intervals(double squares, double differences, double systematic);
 
     /// Standard deviation of a point [mm].
     [[nodiscard]] double noise() const { return noise_; }

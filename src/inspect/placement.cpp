@@ -29,9 +29,11 @@ Vec2 PointReader::to_tooth(Vec2 const& v, int tooth) const
 PointView PointReader::on_flank(PlanePoint const& point, Placement const& placement, int tooth, bool right) const
 {
     PointView view;
+    view.plane = point.plane;
     view.tooth = tooth;
     view.right = right;
-    view.place = turned_clockwise(point.where - placement.shift, -placement.turn);
+    double const turn = placement.turn + (right ? placement.excess : -placement.excess);
+    view.place = turned_clockwise(point.where - placement.shift, -turn);
     Vec2 const in_tooth = to_tooth(view.place, tooth) - Vec2(0, part_.seat);
     FlankFoot const foot = part_.planes[point.plane].flank(right)(in_tooth);
     view.on = foot.on;

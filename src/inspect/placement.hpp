@@ -15,6 +15,7 @@ struct Placement
 {
     double turn = 0;            ///< [rad]
     Vec2 shift = Vec2::Zero();  ///< [mm]
+    double excess = 0;          ///< by which right flanks are turned further, left ones less [rad]
 };
 
 /// A point to be read: of which plane, and of which flank where that is known.
@@ -29,6 +30,7 @@ struct PlanePoint
 struct PointView
 {
     bool on = false;             ///< whether its foot is on a flank
+    std::size_t plane = 0;       ///< of the point
     int tooth = 0;               ///< from 0 clockwise
     bool right = false;          ///< which flank
     double deviation = 0;        ///< [mm]

@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "base/text.hpp"
+#include "common_errors.hpp"
 #include "hdconj/error.hpp"
 #include "numeric/least_squares.hpp"
 
@@ -37,31 +40,62 @@ double median_distance(Registered const& what, double turn)
 {
     throw InputError(Fault{"--register", 0, std::string(to_string(registration)),
                            "the points on flanks do not determine the position of the part",
-                           registration == Registration::turn ? "write --register datum, or measure more of the flank"
-                                                              : "write --register turn, or measure both flanks"});
+                           registration == Registration::turn
+                               ? "write --register datum, or measure more of the flank"
+                               : "write --register turn, or measure both flanks at more points"});
 }
 
-/// One Gauss-Newton step, and the largest change of a deviation that it makes.
+/// One Gauss-Newton step, the change of the common excess, and the largest change of a deviation that it makes.
 struct LeastSquaresStep
 {
     Eigen::VectorXd by;
+    double excess;
     double change;
 };
 LeastSquaresStep least_squares_step(std::vector<PointView> const& views, Placement const& placement,
                                     Registered const& what, int unknowns)
 {
     Eigen::MatrixXd const rows = jacobian(views, placement, what.read.part(), unknowns);
-    Eigen::VectorXd deviations(static_cast<Eigen::Index>(views.size()));
+    Eigen::VectorXd towards(static_cast<Eigen::Index>(views.size()));
     for (std::size_t i = 0; i < views.size(); ++i)
-        deviations[static_cast<Eigen::Index>(i)] = -views[i].deviation;
-    if (rows.rows() < unknowns)
+        towards[static_cast<Eigen::Index>(i)] = -views[i].deviation;
+    bool const one_flank = std::ranges::all_of(views, [&](PointView const& view) {
+        return view.tooth == views.front().tooth && view.right == views.front().right;
+    });
+    if (rows.rows() < unknowns || (one_flank && unknowns == most_unknowns))
         refuse_loose(what.registration);
-    numeric::LeastSquares const fit(rows, least_rank);
-    if (fit.rank() < unknowns)
+    std::optional<CommonErrors> common;
+    if (what.registration == Registration::least_squares)
+        common.emplace(views, what.read.part());
+    Eigen::MatrixXd const own = common ? common->without(rows) : rows;
+    numeric::LeastSquares const fit(own, least_rank);
+    if (fit.rank() < unknowns || own.norm() < least_rank * rows.norm())
         refuse_loose(what.registration);
-    Eigen::VectorXd by = fit.solve(deviations);
-    double const change = (rows * by).cwiseAbs().maxCoeff();
-    return {std::move(by), change};
+    Eigen::VectorXd by = fit.solve(common ? Eigen::VectorXd(common->without(towards)) : towards);
+    double const excess = common ? common->excess(towards - rows * by) : 0;
+    double const change = (rows * by).cwiseAbs().maxCoeff() + std::abs(excess);
+    return {std::move(by), excess, change};
+}
+
+/// After the steps in which the points settle: a ring of another number of teeth often comes to no rest.
+void refuse_other_teeth(std::vector<PointView> const& views, NominalPart const& part, std::string const& file)
+{
+    constexpr double share = 1.0 / 12;  // of a pitch, a quarter of the module: no such ring would mesh
+    double const pitch = part.pitch() * part.planes.front().reference_radius;
+    auto const count = static_cast<double>(views.size());
+    double sum = 0, squares = 0;
+    for (PointView const& view : views) {
+        sum += view.deviation;
+        squares += view.deviation * view.deviation;
+    }
+    // about the mean: the centres of a ball of unknown radius stand off everywhere
+    double const off = std::sqrt(std::max(0.0, (squares - sum * sum / count) / count));
+    if (off > share * pitch)
+        throw InputError(Fault{"POINTS", 0, file,
+                               fmt::format("the points lie {} mm (rms) off the flanks of the part, wherever it is "
+                                           "turned and shifted to: are they of another number of teeth than {}?",
+                                           short_number(off, 2), part.teeth),
+                               "give the points of this part, and the part by --part"});
 }
 
 /// Keeps the views on a flank, and the same points.
@@ -141,13 +175,18 @@ Placement registered(Registered const& what)
     for (int step = 0; step < most_registration_steps; ++step) {
         std::vector<PointView> views = views_of(used.read, used.points, placement, used.threads);
         keep_settled(views, step == settled_after ? &used.points : nullptr);
-        auto const [by, change] = least_squares_step(views, placement, what, unknowns);
+        if (step == settled_after)
+            refuse_other_teeth(views, part, what.file);
+        auto const [by, excess, change] = least_squares_step(views, placement, what, unknowns);
         placement = moved(placement, by, part);
+        placement.excess += excess / part.planes.front().reference_radius;
         // a direction that the points hardly determine, such as the lean of one tooth, changes by rounding at each step
         bool const only_rounding = change <= rounding && by.norm() >= before;
         before = by.norm();
-        if (step > settled_after && (before <= rounding || only_rounding))
-            return what.registration == Registration::minimum_zone ? minimum_zone(used, placement) : placement;
+        if (step <= settled_after || (std::max(before, std::abs(excess)) > rounding && !only_rounding))
+            continue;
+        placement.excess = 0;
+        return what.registration == Registration::minimum_zone ? minimum_zone(used, placement) : placement;
     }
     throw NumericalError(ErrorCode::not_converged, "registration", std::string(to_string(what.registration)),
                          "the steps do not come to an end",

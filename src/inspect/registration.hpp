@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "placement.hpp"
@@ -16,6 +17,7 @@ struct Registered
     std::vector<PlanePoint> points;
     Registration registration;
     int threads;
+    std::string file{};  ///< of the points
 };
 
 /// The unknowns of a registration: turn times reference radius, shift in x, shift in y. All in mm.
@@ -35,10 +37,11 @@ inline constexpr int most_unknowns = 3;
 /// pitch, is least. 0, the file's own axes, where another turn is not much better and for the datum.
 [[nodiscard]] double near_turn(Registered const& what);
 
-/// The placement at which the sum of squared deviations is least, or for the minimum zone the largest size of a
-/// deviation. Gauss-Newton steps from near_turn() go on until they are roundings; which
-/// points are on a flank is settled in the first of them.
-/// @throws InputError where the points do not fix the unknowns; NumericalError where the steps do not end
+/// The placement at which the sum of squared deviations is least, of least squares with CommonErrors as further
+/// unknowns; or for the minimum zone the largest size of a deviation. Gauss-Newton steps from near_turn() go on until
+/// they are roundings; which points are on a flank is settled in the first of them.
+/// @throws InputError where the points do not fix the unknowns, or stay farther from the flanks than those of any part
+/// of the drive; NumericalError where the steps do not end
 [[nodiscard]] Placement registered(Registered const& what);
 
 /// The placement of least largest deviation, from a near one: a sequence of linear programs, each solved by

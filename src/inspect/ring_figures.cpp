@@ -18,7 +18,7 @@ double position_of(RingData const& data, FlankFit const& fit)
     return data.radius(fit) * fit.turn;
 }
 
-Eigen::RowVector3d position_row(RingData const& data, FlankFit const& fit)
+RegistrationNoise::Row position_row(RingData const& data, FlankFit const& fit)
 {
     return data.radius(fit) * data.by_registration(fit).row(0);
 }
@@ -50,18 +50,18 @@ std::vector<Candidate> along(std::vector<double> const& values, int tooth)
     return candidates;
 }
 
-/// What the registration's error adds to the variance of a tooth's radial shift.
-double radial_variance(RingData const& data, FlankFit const& fit)
+RegistrationNoise::Row radial_row(RingData const& data, ToothFit const& tooth)
 {
-    Eigen::RowVector3d row(0, 0, 0);
-    row.tail<2>() = data.shift_of_tooth(fit.group.tooth).row(1);
-    return data.variance_of(row);
+    return tooth.by_middles[0] * data.response(data.fits[tooth.left]).row(0) +
+           tooth.by_middles[1] * data.response(data.fits[tooth.right]).row(0);
 }
 
 /// Amplitude and direction of the first harmonic of radial shifts round the ring.
-/// @param own  variance of a tooth's radial shift by the noise of its own points, in the mean
+/// @param rows  of the radial shifts
+/// @param own   variance of a tooth's radial shift by the noise of its own points, in the mean
 void add_eccentricity(RingData const& data, PlaneFigures& plane, std::vector<Candidate> const& radial,
-                      std::vector<double> const& angle, double own, Intervals const& intervals)
+                      std::vector<double> const& angle, Eigen::MatrixXd const& rows, double own,
+                      Intervals const& intervals)
 {
     constexpr std::size_t fewest_teeth = 4;  // one more than a mean and a harmonic have coefficients
     constexpr double least_spread = 1e-3;    // of the pivots: some eighth of a turn
@@ -84,7 +84,7 @@ void add_eccentricity(RingData const& data, PlaneFigures& plane, std::vector<Can
     double const size = harmonic.tail<2>().norm();
     Vec2 const along = size > 0 ? Vec2(harmonic.tail<2>() / size) : Vec2(0, 1);
     plane.circle = true;
-    Eigen::RowVector3d row(0, along.x(), along.y());
+    RegistrationNoise::Row const row = along.transpose() * fit.solve(rows).bottomRows<2>();
     plane.eccentricity =
         intervals.amplitude(size, own * along.dot(inverse.bottomRightCorner<2, 2>() * along) + data.variance_of(row));
     plane.direction = std::atan2(harmonic[1], harmonic[2]);
@@ -126,7 +126,8 @@ SideFigures figures_of_side(RingData const& data, std::vector<FlankFigures> cons
     std::vector<Candidate> positions;
     std::vector<std::vector<Candidate>> remainders, deviations;  // by flank
     double slope_variance = 0, crowning_variance = 0;
-    Eigen::Matrix3d by_registration = Eigen::Matrix3d::Zero();
+    Eigen::Matrix<double, 3, RegistrationNoise::size> by_registration;
+    by_registration.setZero();
     for (std::size_t const i : side) {
         FlankFigures const& each = flanks[i];
         slopes.push_back(&each.slope);
@@ -169,7 +170,7 @@ std::vector<FlankFigures> flank_figures(RingData const& data, Intervals const& i
     for (std::size_t i = 0; i < data.fits.size(); ++i) {
         FlankFit const& fit = data.fits[i];
         FlankParabola const& parabola = fit.parabola;
-        Eigen::Matrix3d const by_registration = data.by_registration(fit);
+        auto const by_registration = data.by_registration(fit);
         figures.push_back({data.z[fit.group.plane], data.number[i], fit.group.right, parabola.points.size(),
                            intervals.figure(position_of(data, fit), position_variance(data, fit)),
                            range_of(along(parabola.deviation, 0), intervals).figure,
@@ -188,10 +189,11 @@ std::vector<ToothFigures> tooth_figures(RingData const& data, Intervals const& i
     for (ToothFit const& tooth : data.teeth) {
         FlankFit const &left = data.fits[tooth.left], &right = data.fits[tooth.right];
         NominalPlane const& plane = data.part().planes[left.group.plane];
-        figures.push_back({data.z[left.group.plane], data.number[tooth.left],
-                           intervals.figure(plane.thickness() + position_of(data, right) - position_of(data, left),
-                                            difference_variance(data, left, right)),
-                           intervals.figure(tooth.radial, tooth.radial_variance + radial_variance(data, left))});
+        figures.push_back(
+            {data.z[left.group.plane], data.number[tooth.left],
+             intervals.figure(plane.thickness() + position_of(data, right) - position_of(data, left),
+                              difference_variance(data, left, right)),
+             intervals.figure(tooth.radial, tooth.radial_variance + data.variance_of(radial_row(data, tooth)))});
     }
     return figures;
 }
@@ -219,13 +221,16 @@ std::vector<PlaneFigures> plane_figures(RingData const& data, Intervals const& i
         std::vector<Candidate> radial;
         std::vector<double> angle;
         double wider = 0, variance = 0, own = 0;
-        Eigen::RowVector3d row(0, 0, 0);
+        RegistrationNoise::Row row = RegistrationNoise::Row::Zero();
+        Eigen::MatrixXd rows(static_cast<Eigen::Index>(data.teeth.size()), RegistrationNoise::size);
         for (ToothFit const& tooth : data.teeth) {
             FlankFit const &left = data.fits[tooth.left], &right = data.fits[tooth.right];
             if (left.group.plane != plane)
                 continue;
+            RegistrationNoise::Row const of_radial = radial_row(data, tooth);
+            rows.row(static_cast<Eigen::Index>(radial.size())) = of_radial;
             radial.push_back(
-                {tooth.radial, tooth.radial_variance + radial_variance(data, left), data.number[tooth.left]});
+                {tooth.radial, tooth.radial_variance + data.variance_of(of_radial), data.number[tooth.left]});
             own += tooth.radial_variance;
             angle.push_back(left.group.tooth * data.part().pitch());
             wider += position_of(data, right) - position_of(data, left);
@@ -244,7 +249,8 @@ std::vector<PlaneFigures> plane_figures(RingData const& data, Intervals const& i
         found.runout = runout.figure;
         found.near_tooth = runout.from;
         found.far_tooth = runout.to;
-        add_eccentricity(data, found, radial, angle, own / n, intervals);
+        rows.conservativeResize(static_cast<Eigen::Index>(radial.size()), Eigen::NoChange);
+        add_eccentricity(data, found, radial, angle, rows, own / n, intervals);
         figures.push_back(found);
     }
     return figures;

@@ -13,9 +13,23 @@ namespace hdconj::inspect {
 /// A tooth with both flanks, and its outward shift.
 struct ToothFit
 {
-    std::size_t left, right;     ///< indices of the fits
-    double radial = 0;           ///< [mm]
-    double radial_variance = 0;  ///< for noise of variance 1
+    std::size_t left, right;                                     ///< indices of the fits
+    double radial = 0;                                           ///< [mm]
+    double radial_variance = 0;                                  ///< for noise of variance 1
+    Eigen::RowVector2d by_middles = Eigen::RowVector2d::Zero();  ///< its change with a of the left, right parabola
+};
+
+/// What the registration makes of noise. Let S be the covariance of its unknowns, turn times reference radius and
+/// shifts, for noise of variance 1. Of least squares they follow the points by -S J', J the derivatives of the
+/// deviations without what CommonErrors explain. So the noise of a figure and that of the unknowns are not independent:
+/// a figure that changes by g with the unknowns, and by h with what its own points have of J, has the variance
+/// g S g' - 2 h S g' beside that of its own points.
+struct RegistrationNoise
+{
+    static constexpr int size = 6;               ///< of (g, h)
+    using Row = Eigen::Matrix<double, 1, size>;  ///< (g, h) of a figure
+    Eigen::Matrix<double, size, size> covariance = Eigen::Matrix<double, size, size>::Zero();
+    Eigen::Matrix<double, size, 3> explained = Eigen::Matrix<double, size, 3>::Zero();  ///< of J, by CommonErrors
 };
 
 /// Everything that the figures are made of. Fits stand by plane, tooth, left before right.
@@ -28,20 +42,23 @@ struct RingData
     std::vector<FlankFit> fits;
     std::vector<int> number;      ///< of the tooth of each fit
     std::vector<ToothFit> teeth;  ///< see tooth_fits()
-    /// Of the unknowns of the registration, turn times reference radius and shifts, for noise of variance 1. 0 where
-    /// points share a registration so widely that their own noise is all.
-    Eigen::Matrix3d registration = Eigen::Matrix3d::Zero();
+    RegistrationNoise registration;
 
     [[nodiscard]] NominalPart const& part() const { return read.part(); }
     [[nodiscard]] double radius(FlankFit const& fit) const { return part().planes[fit.group.plane].reference_radius; }
     /// A shift of the measured part in the frame of a tooth.
     [[nodiscard]] Eigen::Matrix2d shift_of_tooth(int tooth) const;
-    /// Change of turn, b and -c of a flank with the unknowns of the registration.
-    [[nodiscard]] Eigen::Matrix3d by_registration(FlankFit const& fit) const;
-    /// Variance of what changes by @p row with the unknowns of the registration.
-    [[nodiscard]] double variance_of(Eigen::RowVector3d const& row) const
+    /// Rows of a, b and -c of a flank.
+    [[nodiscard]] Eigen::Matrix<double, 3, RegistrationNoise::size> response(FlankFit const& fit) const;
+    /// Rows of turn, b and -c of a flank.
+    [[nodiscard]] Eigen::Matrix<double, 3, RegistrationNoise::size> by_registration(FlankFit const& fit) const
     {
-        return row * registration * row.transpose();
+        return fit.by_coefficients * response(fit);
+    }
+    /// What the registration adds to the variance of a figure.
+    [[nodiscard]] double variance_of(RegistrationNoise::Row const& row) const
+    {
+        return row * registration.covariance * row.transpose();
     }
 };
 

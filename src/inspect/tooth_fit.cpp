@@ -31,9 +31,10 @@ bool find_radial_shift(RingData const& data, ToothFit& tooth)
         at.shift =
             data.placement.shift + turned_clockwise(data.read.from_tooth(shift, left_group.tooth), data.placement.turn);
         if (by.norm() <= rounding || step + 1 == most_steps) {
-            Vec2 const row = inverse.row(1).transpose().cwiseAbs2();
+            tooth.by_middles = -inverse.row(1);
+            Vec2 const squares = tooth.by_middles.transpose().cwiseAbs2();
             tooth.radial = shift.y();
-            tooth.radial_variance = row.x() * left->covariance(0, 0) + row.y() * right->covariance(0, 0);
+            tooth.radial_variance = squares.x() * left->covariance(0, 0) + squares.y() * right->covariance(0, 0);
             return true;
         }
     }
@@ -50,12 +51,15 @@ Eigen::Matrix2d RingData::shift_of_tooth(int tooth) const
     return columns;
 }
 
-Eigen::Matrix3d RingData::by_registration(FlankFit const& fit) const
+Eigen::Matrix<double, 3, RegistrationNoise::size> RingData::response(FlankFit const& fit) const
 {
-    Eigen::Matrix3d by;
+    Eigen::Matrix3d by, terms = Eigen::Matrix3d::Identity();
     by.col(0) = fit.parabola.by_turn / part().planes.front().reference_radius;
     by.rightCols<2>() = fit.parabola.by_shift * shift_of_tooth(fit.group.tooth);
-    return fit.by_coefficients * by;
+    terms.col(0) = by.col(0);
+    Eigen::Matrix<double, 3, RegistrationNoise::size> response;
+    response << by, by - terms * registration.explained.middleRows<3>(fit.group.right ? 3 : 0);
+    return response;
 }
 
 std::vector<ToothFit> tooth_fits(RingData const& data)
