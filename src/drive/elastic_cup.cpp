@@ -11,6 +11,7 @@
 #include "hdconj/elastic_cup.hpp"
 #include "hdconj/scene/schema.hpp"
 #include "hdconj/units.hpp"
+#include "scene/usual_cup.hpp"
 #include "wavegen/length_kept.hpp"
 
 namespace hdconj::drive {
@@ -54,6 +55,31 @@ elastic::Bearing bearing_of(Scene const& scene)
     return bearing;
 }
 
+namespace {
+
+/// What to write where the dimensions contradict each other at @p place of the section.
+std::string remedy_of(std::string const& place)
+{
+    std::string const cup = "flexspline.cup.";
+    if (place == "fillet at the tooth ring")
+        return "write " + cup + "rear_fillet and front_fillet larger than what flexspline.wall is thicker than " + cup +
+               "barrel_wall, or leave them out";
+    if (place == "flange")
+        return "write a smaller " + cup + "flange_radius or corner_radius";
+    if (place == "corner at the bottom")
+        return "write a larger " + cup + "corner_radius, or a smaller barrel_wall or bottom";
+    if (place == "rear ramp")
+        return "write a " + cup + "rear_ramp above 0";
+    if (place == "front ramp")
+        return "write a larger " + cup + "front_land, or a smaller front_ramp or front_fillet above 0";
+    if (place == "tooth ring")
+        return "write a larger " + cup +
+               "length, or a smaller tooth_width, front_land, corner_radius, rear_ramp or rear_fillet";
+    return "write a smaller " + cup + "length, or thicker flexspline.wall, barrel_wall and bottom";
+}
+
+}  // namespace
+
 void validate_cup(Scene const& scene, double inner_radius, Faults& faults)
 {
     elastic::CupSection const section = cup_section(scene, inner_radius);
@@ -63,8 +89,8 @@ void validate_cup(Scene const& scene, double inner_radius, Faults& faults)
         (void)elastic::section_mesh(section,
                                     elastic::contact_mesh_size(section, bearing.width, scene.bearing->circles));
     } catch (NumericalError const& error) {
-        faults.push_back({"flexspline.cup", scene.flexspline.cup->line, "", error.what(),
-                          "write dimensions that fit together", origin});
+        faults.push_back(
+            {"flexspline.cup", scene.flexspline.cup->line, "", error.what(), remedy_of(error.place()), origin});
         return;
     }
     auto const at = [&](std::string const& path, std::string const& reason, std::string const& remedy) {
@@ -79,10 +105,13 @@ void validate_cup(Scene const& scene, double inner_radius, Faults& faults)
            "the bearing would reach beyond the straight wall, from " + short_number(section.corner_radius) + " to " +
                short_number(section.length) + " mm above the bottom: its middle is at " + short_number(bearing.middle) +
                " mm",
-           "write a narrower bearing, or another coning.bottom_to_middle");
+           "write a bearing.width of at most " +
+               at_most_text(2 * std::min(bearing.middle - section.corner_radius, section.length - bearing.middle)) +
+               (scene.given.contains("coning.bottom_to_middle") ? ", or another coning.bottom_to_middle"
+                                                                : ", or a longer flexspline.cup.length"));
     if (bearing.ring && bearing.ring->thickness >= inner_radius)
         at("bearing.ring_thickness", "the cup's inner radius is " + short_number(inner_radius) + " mm",
-           "write a small part of that, such as 1.2");
+           "write a small part of that, such as " + scene::length_text(scene::UsualCup(scene).ring_thickness));
     double const half = scene.circular_spline.width.value_or(0) / 2;
     bool const spread = scene.slices && scene.slices->count > 1;
     if (spread && (bearing.middle - half < section.ring_begin || bearing.middle + half > section.ring_end))

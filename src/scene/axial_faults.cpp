@@ -5,6 +5,7 @@
 #include "base/text.hpp"
 #include "hdconj/units.hpp"
 #include "tolerance_limits.hpp"
+#include "usual_cup.hpp"
 #include "validation.hpp"
 
 namespace hdconj::scene {
@@ -41,8 +42,9 @@ void check_slices(SceneReading const& reading, Faults& faults)
     auto const& scene = reading.scene;
     bool const spread = scene.slices && knows(reading, {"slices.count"}) && scene.slices->count > 1;
     if (spread && !scene.given.contains("circular_spline.width"))
-        faults.push_back({"circular_spline.width", 0, "", "this key is missing: [slices] spreads over the width",
-                          "write width = 7.0, a length in mm, in [circular_spline]"});
+        faults.push_back(
+            {"circular_spline.width", 0, "", "this key is missing: [slices] spreads over the width",
+             "write width = " + length_text(UsualCup(scene).spline_width) + ", a length in mm, in [circular_spline]"});
 }
 
 /// The axial effects move the flexspline's given tooth.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "usual_cup.hpp"
 #include "validation.hpp"
 
 namespace hdconj::scene {
@@ -10,6 +11,9 @@ namespace {
 
 /// Points between bearing and cup: their influences fill a matrix of some hundred megabytes.
 constexpr int most_contact_points = 4000;
+
+/// Diameter of a ball, of the thickness of the outer ring: about what type-50 has.
+constexpr double ball_of_ring = 2.5;
 
 /// Keys of the cup that say the same thing twice, or belong to one that is not there.
 void check_cup(SceneReading const& reading, Faults& faults)
@@ -23,7 +27,8 @@ void check_cup(SceneReading const& reading, Faults& faults)
     }
     if (given.contains("flexspline.cup.tooth_share") && !given.contains("flexspline.cup.tooth_layer"))
         add_at(faults, "flexspline.cup.tooth_share", "", "there is no layer of teeth",
-               "write tooth_layer = 0.53, the height of the teeth in mm, or remove the key");
+               "write tooth_layer = " + length_text(2.12 * reading.scene.drive.module) +
+                   ", the height of the teeth in mm, or remove the key");
 }
 
 /// What the elastic cup cannot do without, and what is not for it. What the dimensions say to each other:
@@ -35,14 +40,11 @@ void check_elastic(SceneReading const& reading, Faults& faults)
     if (!scene.flexspline.cup && !scene.given.contains("flexspline.cup"))
         faults.push_back({"flexspline.cup", line, "",
                           "this table is missing: model \"elastic\" needs the cup's dimensions",
-                          "write the line [flexspline.cup] and below it length = 15.0, barrel_wall = 0.4, bottom = "
-                          "0.5, corner_radius = 2.0, flange_radius = 13.0, tooth_width = 8.0, front_land = 2.0",
-                          line > 0 ? "" : "--set"});
+                          UsualCup(scene).advice_on_cup(), line > 0 ? "" : "--set"});
     if (!scene.bearing && !scene.given.contains("bearing"))
         faults.push_back({"bearing", line, "",
                           "this table is missing: model \"elastic\" needs what pushes the cup outward",
-                          "write the line [bearing] and below it type = \"elastic\", width = 6.0, ring_thickness = 1.2",
-                          line > 0 ? "" : "--set"});
+                          UsualCup(scene).advice_on_bearing(), line > 0 ? "" : "--set"});
     if (scene.given.contains("coning.apex_height"))
         add_at(faults, "coning.apex_height", number_text(scene.coning->apex_height),
                "the elastic cup tells where its apex is", "remove the key, or write model = \"linear\"");
@@ -67,7 +69,8 @@ void check_balls(SceneReading const& reading, Faults& faults)
         for (char const* const key :
              {"inner_conformity", "outer_conformity", "ball_youngs_modulus", "ball_poissons_ratio"})
             refuse(key, "without ball_diameter no ball has a groove to yield in",
-                   "write ball_diameter = 3.0, a length in mm, or remove the key");
+                   "write ball_diameter = " + length_text(ball_of_ring * UsualCup(reading.scene).ring_thickness) +
+                       ", a length in mm, or remove the key");
     else
         refuse("radial_stiffness", "ball_diameter says already how the balls yield",
                "remove one of ball_diameter and radial_stiffness");
@@ -82,7 +85,8 @@ void check_compliance(SceneReading const& reading, Faults& faults)
         yields = yields || scene.given.contains(std::string("compliance.") + key);
     if (scene.compliance && !yields)
         faults.push_back({"compliance", scene.compliance->line, "", "none of its keys is there, and nothing yields",
-                          "write outer_radius = 35.0, in mm, or shaft = 60000, in N m/rad, or remove the table",
+                          "write outer_radius = " + length_text(UsualCup(scene).outer_radius) +
+                              ", in mm, or shaft = 60000, in N m/rad, or remove the table",
                           scene.compliance->line > 0 ? "" : "--set"});
 }
 
@@ -112,9 +116,11 @@ void check_bearing(SceneReading const& reading, Faults& faults)
     if (bearing.elastic && !scene.given.contains("bearing.ring_thickness"))
         faults.push_back({"bearing.ring_thickness", bearing.line, "",
                           "this key is missing: an outer ring that bends has a thickness",
-                          "write ring_thickness = 1.2, a length in mm, or type = \"rigid\""});
+                          "write ring_thickness = " + length_text(UsualCup(scene).ring_thickness) +
+                              ", a length in mm, or type = \"rigid\""});
     if (bearing.elastic && knows(reading, {"bearing.width"}) && bearing.width <= 0)
-        refuse("width", "an outer ring that bends has a width above 0", "write width = 6.0, or type = \"rigid\"");
+        refuse("width", "an outer ring that bends has a width above 0",
+               "write width = " + length_text(UsualCup(scene).bearing_width) + ", or type = \"rigid\"");
     for (std::string const key : {"ring_thickness", "radial_stiffness", "axially", "balls", "ball_phase_deg",
                                   "ball_diameter", "inner_conformity", "outer_conformity", "clearance",
                                   "youngs_modulus", "poissons_ratio", "ball_youngs_modulus", "ball_poissons_ratio"})
@@ -144,13 +150,11 @@ void check_coning(SceneReading const& reading, Faults& faults)
     if (!scene.coning || !knows(reading, {"coning.model"}))
         return;
     if (!scene.given.contains("coning.bottom_to_middle")) {
-        auto const& cup = scene.flexspline.cup;
-        std::string const middle =
-            cup ? short_number(cup->length - cup->front_land - cup->tooth_width / 2) : std::string("9.0");
-        faults.push_back({"coning.bottom_to_middle", scene.coning->line, "",
-                          "this key is missing: model " + in_quotes(to_string(scene.coning->model)) +
-                              " needs the distance from the cup's bottom",
-                          "write bottom_to_middle = " + middle + ", a length in mm"});
+        faults.push_back(
+            {"coning.bottom_to_middle", scene.coning->line, "",
+             "this key is missing: model " + in_quotes(to_string(scene.coning->model)) +
+                 " needs the distance from the cup's bottom",
+             "write bottom_to_middle = " + short_number(UsualCup(scene).bottom_to_middle) + ", a length in mm"});
     }
     if (scene.is_elastic())
         check_elastic(reading, faults);

@@ -17,9 +17,9 @@ void check_amount(SceneReading const& reading, std::string const& key, double am
 {
     Drive const& drive = reading.scene.drive;
     if (knows(reading, {key, "drive.module"}) && amount > tenth_of_module(drive))
-        add_at(
-            faults, key, number_text(amount), "more than a tenth of the module makes another drive",
-            "write at most " + at_most_text(tenth_of_module(drive)) + ", such as " + number_text(0.016 * drive.module));
+        add_at(faults, key, number_text(amount), "more than a tenth of the module makes another drive",
+               "write at most " + at_most_text(tenth_of_module(drive)) + ", such as " +
+                   short_number(0.016 * drive.module, 2));
 }
 
 /// Refuses a wobble that moves the ends of the ring further than an eccentricity may.

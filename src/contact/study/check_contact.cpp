@@ -8,6 +8,7 @@
 #include "hdconj/contact.hpp"
 #include "hdconj/scene/schema.hpp"
 #include "hdconj/units.hpp"
+#include "scene/usual_cup.hpp"
 #include "surface_choices.hpp"
 
 namespace hdconj {
@@ -44,7 +45,8 @@ Faults check_contact(Scene const& scene, ContactOptions const& options)
     if (!scene.circular_spline.width)
         faults.push_back({"circular_spline.width", 0, "",
                           "this key is missing: contact is an area, and needs the face width",
-                          "write width = 7.0, a length in mm, in [circular_spline]"});
+                          "write width = " + scene::length_text(scene::UsualCup(scene).spline_width) +
+                              ", a length in mm, in [circular_spline]"});
     for (Fault& fault : check_options(options))
         faults.push_back(std::move(fault));
     std::vector<ToothSurface> const surfaces =

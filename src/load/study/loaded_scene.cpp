@@ -16,6 +16,7 @@
 #include "hdconj/scene/schema.hpp"
 #include "hdconj/units.hpp"
 #include "load/model/wave_generator.hpp"
+#include "scene/usual_cup.hpp"
 #include "scene/usual_drive.hpp"
 
 namespace hdconj {
@@ -25,13 +26,10 @@ void require_cup_and_bearing(Scene const& scene, Faults& faults)
 {
     if (!scene.flexspline.cup)
         faults.push_back({"flexspline.cup", 0, "", "this table is missing: a load needs the cup's dimensions",
-                          "write the line [flexspline.cup] and below it length = 15.0, barrel_wall = 0.4, bottom = "
-                          "0.5, corner_radius = 2.0, flange_radius = 13.0, "
-                          "tooth_width = 8.0, front_land = 2.0"});
+                          scene::UsualCup(scene).advice_on_cup()});
     if (!scene.bearing)
-        faults.push_back(
-            {"bearing", 0, "", "this table is missing: a load needs what pushes the cup outward",
-             "write the line [bearing] and below it type = \"elastic\", width = 6.0, ring_thickness = 1.2"});
+        faults.push_back({"bearing", 0, "", "this table is missing: a load needs what pushes the cup outward",
+                          scene::UsualCup(scene).advice_on_bearing()});
 }
 
 void refuse_torque(double torque_nm, std::string reason, Faults& faults)
