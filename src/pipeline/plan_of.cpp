@@ -16,6 +16,12 @@ Faults faults_of(Scene const& scene, std::string const& verb)
 {
     if (verb == "contact")
         return check_contact(scene, {});
+    if (verb == "run") {
+        RunOptions options;
+        if (scene.friction && !(scene.load && scene.load->torque))
+            options.torque = newton_metre;
+        return check_run(scene, options);
+    }
     LoadOptions options;
     if (!scene.load || !scene.load->torque) {
         options.torque = newton_metre;
@@ -35,10 +41,10 @@ Plan plan_of(Scene const& scene, std::string const& verb, std::string const& pla
     if (scene.wants_neutral_curve())
         throw InputError(Fault{place, 0, verb, "only solve takes a scene whose neutral curve is wanted",
                                "leave it out, or use the scene that hdconj solve --completed writes"});
-    if (verb == "run")
-        return plan_run(scene);
     if (Faults faults = faults_of(scene, verb); !faults.empty())
         throw InputError(std::move(faults));
+    if (verb == "run")
+        return plan_run(scene);
     return verb == "load" ? make_plan(loaded_scene(scene), Verb::load) : make_plan(scene, Verb::contact);
 }
 

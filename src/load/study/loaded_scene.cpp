@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "base/option_faults.hpp"
@@ -84,6 +85,21 @@ void validate_catalogue(Scene const& scene, LoadOptions const& options, Faults& 
         fault("load.second_torque", second, "T2 is not below the rated torque", "below", std::abs(rated));
 }
 
+/// Faults that only the completed scene has: under load the cup bends, whatever its outlines follow. What is wrong
+/// with the scene itself, check_scene() says.
+void validate_completed(Scene const& asked, LoadOptions const& options, Faults& faults)
+{
+    if (!asked.flexspline.cup || !asked.bearing || !check_scene(asked).empty())
+        return;
+    Scene const scene = loaded_scene(asked, options);
+    Faults completed = check_scene(scene);
+    if (completed.empty() && !scene.is_elastic() && scene.coning->bottom_to_middle)
+        drive::validate_cup(scene,
+                            drive::ring_geometry(scene, drive::given_tooth(scene, completed)).flexspline_inner_radius,
+                            completed);
+    std::ranges::move(completed, std::back_inserter(faults));
+}
+
 }  // namespace
 
 namespace load {
@@ -100,6 +116,7 @@ Faults check_either_sense(Scene const& scene, LoadOptions const& options)
         validate_harmonics(*scene.load, load::ring_grid(scene).highest_harmonic(), faults);
     require_whole(faults, "--points", options.points, 1, scene::bounds::most_torques,
                   "one such as 10, or leave it out for as many as the stiffness needs");
+    validate_completed(scene, options, faults);
     return faults;
 }
 
@@ -135,16 +152,6 @@ Scene loaded_scene(Scene asked, LoadOptions const& options)
 namespace load {
 namespace {
 
-/// Faults of a completed scene: the cup bends under load, whatever its outlines follow.
-Faults faults_of_loaded(Scene const& scene)
-{
-    Faults faults = check_scene(scene);
-    if (faults.empty() && !scene.is_elastic() && scene.coning->bottom_to_middle)
-        drive::validate_cup(
-            scene, drive::ring_geometry(scene, drive::given_tooth(scene, faults)).flexspline_inner_radius, faults);
-    return faults;
-}
-
 /// The tip circle that a scene leaves to the program [mm].
 double standard_tip(Scene const& scene)
 {
@@ -164,12 +171,10 @@ ContactOptions contact_options(LoadOptions const& options)
 Scene checked_scene(Scene const& asked, LoadOptions const& options)
 {
     Faults faults = check_either_sense(asked, options);
-    Scene completed = loaded_scene(asked, options);
-    for (Fault const& more : faults.empty() ? faults_of_loaded(completed) : check_scene(asked))
-        faults.push_back(more);
+    std::ranges::move(check_scene(asked), std::back_inserter(faults));
     if (!faults.empty())
         throw InputError(faults);
-    return completed;
+    return loaded_scene(asked, options);
 }
 
 double rated_torque(Scene const& scene, LoadOptions const& options)
