@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
+#include "base/text.hpp"
 #include "hdconj/base/rigid_motion.hpp"
+#include "hdconj/error.hpp"
 
 namespace hdconj::conjugate {
 namespace {
@@ -149,6 +152,41 @@ std::optional<double> SweptPolygons::radius_of_land(double tip) const
     double const angle = (0.5 - half_land) * pitch_;
     double const radius = radius_at({-angle, angle}), deepest = radius_at({0.0});
     return radius > tip && radius - tip <= (deepest - tip) / 2 ? std::optional(radius) : std::nullopt;
+}
+
+std::vector<std::string> SweptPolygons::wider_tip(double tip) const
+{
+    auto const radius = radius_of_land(tip);
+    return radius ? std::vector{"circular_spline.inner_radius=" + std::to_string(*radius)} : std::vector<std::string>{};
+}
+
+void SweptPolygons::refuse_without_land(double tip, double side_clearance) const
+{
+    double const reached = radius_between_spaces();
+    if (!(reached > tip))
+        return;
+    std::string cause =
+        "no tip land is left on the circular spline: half-way between two tooth spaces the teeth sweep up to a radius "
+        "of " +
+        std::to_string(reached) + " mm, where the circular spline's teeth would be pointed, and the tip circle is at " +
+        std::to_string(tip) + " mm";
+    std::string remedy = "write a circular_spline.inner_radius above " + std::to_string(reached) +
+                         ", a thinner tooth or a smaller addendum";
+    std::vector<std::string> set = wider_tip(tip);
+    // The spaces meet at the radius reached. With a clearance that is smaller by the depth of the tip circle below that
+    // place, neither reaches the middle there; half of it leaves a land.
+    double const largest = side_clearance - (reached - tip);
+    if (side_clearance > 0 && largest > 0) {
+        constexpr int digits = 2;
+        std::string const value = short_number(largest / 2, digits);
+        cause += "; it is the side clearance of " + short_number(side_clearance) +
+                 " mm, by which the flanks are moved, that makes the spaces meet there";
+        remedy = "write circular_spline.backlash_offset = " + value + "; or " + remedy;
+        set = {"circular_spline.backlash_offset=" + value};
+    } else if (side_clearance > 0) {
+        remedy += ", or a smaller circular_spline.backlash_offset";
+    }
+    throw NumericalError(ErrorCode::no_land, "region", "tip circle", cause, remedy, set);
 }
 
 double SweptPolygons::u_at(int polygon, double position) const

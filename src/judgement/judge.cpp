@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <initializer_list>
 #include <iterator>
+#include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "base/text.hpp"
 #include "checks.hpp"
 #include "drive/drive.hpp"
+#include "scene/usual_drive.hpp"
 
 namespace hdconj::judgement {
 namespace {
@@ -22,6 +24,17 @@ Notes all_of(std::initializer_list<std::optional<Note>> checks)
         if (check)
             notes.push_back(*check);
     return notes;
+}
+
+std::string const tip_circle = "circular_spline.inner_radius=", deformation_key = ".radial_deformation=";
+
+/// What @p set writes for the key that ends with @p key; nothing where it does not write it.
+std::optional<std::string> value_in(std::vector<std::string> const& set, std::string const& key)
+{
+    for (std::string const& each : set)
+        if (auto const at = each.find(key); at != std::string::npos)
+            return each.substr(at + key.size());
+    return std::nullopt;
 }
 
 }  // namespace
@@ -45,27 +58,34 @@ void judge_late_mesh_again(Notes& notes, Scene const& scene)
     std::ranges::stable_sort(notes, {}, &Note::code);
 }
 
-void raise_tip_circle(std::vector<std::string> const& wanted, std::string& words, std::vector<std::string>& set)
+void raise_tip_circle(UnsolvedPair const& pair, std::vector<std::string> const& wanted, std::string& words,
+                      std::vector<std::string>& set)
 {
-    constexpr std::string_view key = "circular_spline.inner_radius=";
-    auto const writes_it = [&](std::string const& setting) { return setting.starts_with(key); };
-    auto const from = std::ranges::find_if(wanted, writes_it);
-    auto const to = std::ranges::find_if(set, writes_it);
-    if (from == wanted.end() || to == set.end())
+    auto const from = value_in(wanted, tip_circle), to = value_in(set, tip_circle),
+               before = value_in(wanted, deformation_key), after = value_in(set, deformation_key);
+    if (!from || !to || (before && !after))
         return;
-    std::string const value = from->substr(key.size()), smaller = to->substr(key.size());
-    if (!(std::stod(value) > std::stod(smaller)))
+    std::string value = *from;
+    if (after && !before) {
+        auto const usual = scene::usual_tip_radius(pair.scene, pair.geometry.w0),
+                   usual_then = scene::usual_tip_radius(pair.scene, std::stod(*after));
+        if (!usual || !usual_then)
+            return;
+        constexpr int digits = 6;
+        value = short_number(std::stod(value) + *usual_then - *usual, digits);
+    }
+    if (!(std::stod(value) > std::stod(*to)))
         return;
-    if (auto const at = words.find(smaller); at != std::string::npos)
-        words.replace(at, smaller.size(), value);
-    *to = *from;
+    if (auto const at = words.find(*to); at != std::string::npos)
+        words.replace(at, to->size(), value);
+    std::ranges::replace(set, tip_circle + *to, tip_circle + value);
 }
 
-void agree_on_tip_circle(Notes& notes)
+void agree_on_tip_circle(UnsolvedPair const& pair, Notes& notes)
 {
     for (Note& note : notes)
         for (Note const& other : notes)
-            raise_tip_circle(other.set, note.advice, note.set);
+            raise_tip_circle(pair, other.set, note.advice, note.set);
 }
 
 }  // namespace hdconj::judgement

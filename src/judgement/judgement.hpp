@@ -43,12 +43,15 @@ struct UnsolvedPair
 /// Puts what judge() says of late mesh in @p scene in the place of what @p notes say of it.
 void judge_late_mesh_again(Notes& notes, Scene const& scene);
 
-/// Where several of @p notes write the tip circle, each writes the largest of them.
-void agree_on_tip_circle(Notes& notes);
+/// Where several of @p notes on @p pair write the tip circle, each writes the largest of them, as raise_tip_circle()
+/// takes it over.
+void agree_on_tip_circle(UnsolvedPair const& pair, Notes& notes);
 
 /// Where @p set writes a smaller tip circle than @p wanted does, that of @p wanted takes its place there and in @p
-/// words.
-void raise_tip_circle(std::vector<std::string> const& wanted, std::string& words, std::vector<std::string>& set);
+/// words. Where @p set alone writes the radial deformation too, @p wanted is for that of @p pair: it is taken over as
+/// far beyond the usual tip circle as it is there. Where @p wanted alone writes it, @p set stays.
+void raise_tip_circle(UnsolvedPair const& pair, std::vector<std::string> const& wanted, std::string& words,
+                      std::vector<std::string>& set);
 
 /// @p error, which solving @p pair ended with, and first of all what is far from usual in the pair and can be written
 /// otherwise.

@@ -61,8 +61,11 @@ NumericalError with_likely_cause(NumericalError const& error, UnsolvedPair const
         advice = with_deformation(error, pair);
     else {
         cause = "likely because " + cause;
-        raise_tip_circle(error.set(), advice.words, advice.set);
-        advice.words += error.remedy().empty() ? "" : "; or " + error.remedy();
+        raise_tip_circle(pair, error.set(), advice.words, advice.set);
+        bool const clears = !error.set().empty() && error.set().front().starts_with("circular_spline.backlash_offset=");
+        if (clears)  // any other tip circle or deformation is helped by that
+            advice.set.push_back(error.set().front());
+        advice.words += error.remedy().empty() ? "" : (clears ? "; " : "; or ") + error.remedy();
     }
     scene::Advice flank;
     scene::add_pressure_angle(pair.scene, flank);

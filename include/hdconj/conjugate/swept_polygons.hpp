@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "hdconj/base/vec2.hpp"
@@ -70,6 +71,15 @@ class SweptPolygons
     /// Radius at which two spaces leave a land of 0.14 pitches, more than 0.4 modules, between them; nothing where this
     /// is within the tip circle @p tip or leaves less than half of the depth outside it.
     [[nodiscard]] std::optional<double> radius_of_land(double tip) const;
+
+    /// That radius as an argument of --set; empty where there is none.
+    [[nodiscard]] std::vector<std::string> wider_tip(double tip) const;
+
+    /// The middle of the land is solid from the tip circle @p tip outward; where a tooth sweeps any of it, there is no
+    /// land.
+    /// @param side_clearance  that these polygons contain [mm]
+    /// @throws NumericalError where there is no land
+    void refuse_without_land(double tip, double side_clearance) const;
 
     /// Parameter at a position (vertices, with a fraction) along a polygon.
     [[nodiscard]] double u_at(int polygon, double position) const;

@@ -64,7 +64,7 @@ class ToothSpaceFinder
     [[nodiscard]] std::optional<ToothSpace> find(double chord, bool graded)
     {
         swept_ = swept_polygons(envelope_, arcs_, tip_radius_, pitch_, chord, graded);
-        refuse_without_land();
+        swept_.refuse_without_land(tip_radius_, envelope_.offset());
         refuse_short_flanks(chord);
         swept_.join_ends(tolerance_.coincidence());
         int const floor = swept_.add_floor(tip_radius_, chord);
@@ -82,7 +82,7 @@ class ToothSpaceFinder
         if (runs.empty())
             return fail(ErrorCode::no_land, "tip circle", "it does not come down to a land on both sides",
                         "write a larger circular_spline.inner_radius, or a smaller wave_generator.radial_deformation",
-                        wider_tip());
+                        swept_.wider_tip(tip_radius_));
         return refine(runs, floor, chord);
     }
 
@@ -95,31 +95,6 @@ class ToothSpaceFinder
         remedy_ = std::move(remedy);
         set_ = std::move(set);
         return std::nullopt;
-    }
-
-    /// A tip circle that leaves a land, as an argument of --set; empty where the space would be too flat.
-    [[nodiscard]] std::vector<std::string> wider_tip() const
-    {
-        auto const radius = swept_.radius_of_land(tip_radius_);
-        return radius ? std::vector{"circular_spline.inner_radius=" + std::to_string(*radius)}
-                      : std::vector<std::string>{};
-    }
-
-    /// The middle of the land is solid from the tip circle outward; where a tooth sweeps any of it, there is no land.
-    void refuse_without_land() const
-    {
-        double const reached = swept_.radius_between_spaces();
-        if (reached > tip_radius_)
-            throw NumericalError(
-                ErrorCode::no_land, "region", "tip circle",
-                "no tip land is left on the circular spline: half-way between two tooth spaces the teeth sweep up to a "
-                "radius of " +
-                    std::to_string(reached) +
-                    " mm, where the circular spline's teeth would be pointed, and the tip circle is at " +
-                    std::to_string(tip_radius_) + " mm",
-                "write a circular_spline.inner_radius above " + std::to_string(reached) +
-                    ", a thinner tooth or a smaller addendum",
-                wider_tip());
     }
 
     /// A flank that ends with the tooth's own profile, at its root, outside of all others and above the tip circle

@@ -66,7 +66,7 @@ void solve_plane(SolvedPlane& plane, drive::StageClock& clock, std::optional<dou
     for (Notes const& more : {notes, judgement::notes_on(out)})
         out.judgement.insert(out.judgement.end(), more.begin(), more.end());
     std::ranges::stable_sort(out.judgement, {}, &Note::code);
-    judgement::agree_on_tip_circle(out.judgement);
+    judgement::agree_on_tip_circle(pair, out.judgement);
 }
 
 }  // namespace hdconj::conjugate

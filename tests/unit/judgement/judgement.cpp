@@ -273,10 +273,45 @@ TEST_CASE("notes that write the tip circle write the same one", "[judgement]")
     larger.advice = "write circular_spline.inner_radius = 24.2058";
     larger.set = {"circular_spline.inner_radius=24.2058"};
     Notes notes{smaller, larger};
-    judgement::agree_on_tip_circle(notes);
+    Scene const scene = printed();
+    judgement::agree_on_tip_circle({scene, PairGeometry{}, profile::Profile{}, wavegen::AnyWaveShape{}}, notes);
     CHECK(notes[0].set == larger.set);
     CHECK(notes[0].advice == "write circular_spline.inner_radius = 24.2058, or a smaller addendum");
     CHECK(notes[1].advice == larger.advice);
+}
+
+TEST_CASE("advice on the deformation writes the tip circle that goes with it", "[judgement]")
+{
+    constexpr double usual = 25.025;
+    auto const followed = [&](Keys keys, Keys const& set) {
+        REQUIRE(set.size() >= 2);
+        CHECK(set[0] == "wave_generator.radial_deformation=0.25");
+        double const tip = std::stod(set[1].substr(set[1].find('=') + 1));
+        keys.insert(keys.end(), set.begin(), set.end());
+        Solution const solution = solve(builtin_scene(keys));
+        CHECK(solution.geometry.space_depth > 1.2 * solution.scene.drive.module);
+        CHECK_FALSE(note_of(solution.judgement, NoteCode::land));
+        return tip;
+    };
+    // the land's note is for the deformation as it is, at which a usual tip circle is wider than what it asks for
+    Keys const deep{"wave_generator.radial_deformation=0.75", "circular_spline.inner_radius=25.45"};
+    Solution const solution = solve(builtin_scene(deep));
+    auto const deformation = note_of(solution.judgement, NoteCode::deformation);
+    REQUIRE(deformation);
+    CHECK(followed(deep, deformation->set) == usual);
+    CHECK_THAT(deformation->advice, ContainsSubstring("inner_radius = 25.025"));
+    auto const land = note_of(solution.judgement, NoteCode::land);
+    REQUIRE(land);
+    Keys wider = deep;
+    wider.push_back(land->set.front());
+    CHECK_FALSE(note_of(solve(builtin_scene(wider)).judgement, NoteCode::land));
+    // where the side clearance takes the land, a smaller one comes with it
+    Keys const clear{"wave_generator.radial_deformation=0.7274", "circular_spline.inner_radius=25.4354",
+                     "flexspline.wall=0.6", "circular_spline.backlash_offset=0.06"};
+    NumericalError const failed = failure(builtin_scene(clear));
+    INFO(failed.what());
+    CHECK(failed.set().size() == 3);
+    CHECK(followed(clear, failed.set()) == usual);
 }
 
 TEST_CASE("a tip circle that leaves no land is not advised", "[judgement]")
@@ -293,6 +328,32 @@ TEST_CASE("a tip circle that leaves no land is not advised", "[judgement]")
     keys.back() = swept.set().front();
     CHECK_THAT(swept.remedy(), ContainsSubstring("inner_radius = " + keys.back().substr(keys.back().find('=') + 1)));
     CHECK_NOTHROW(solve(printed(keys)));
+}
+
+TEST_CASE("a side clearance that takes the land is named, and a smaller one that leaves it", "[judgement]")
+{
+    for (std::string const clearance : {"0.06", "0.1", "0.12"}) {
+        Keys keys{"circular_spline.backlash_offset=" + clearance};
+        NumericalError const failed = failure(builtin_scene(keys));
+        INFO(failed.what());
+        CHECK(failed.code() == ErrorCode::no_land);
+        CHECK_THAT(failed.cause(), ContainsSubstring("the side clearance of " + clearance + " mm"));
+        REQUIRE(failed.set().size() == 1);
+        std::string const value = failed.set().front().substr(failed.set().front().find('=') + 1);
+        CHECK(failed.set().front() == "circular_spline.backlash_offset=" + value);
+        CHECK(failed.remedy().starts_with("write circular_spline.backlash_offset = " + value + "; or "));
+        keys.push_back(failed.set().front());
+        CHECK_FALSE(note_of(solve(builtin_scene(keys)).judgement, NoteCode::land));
+    }
+    // without side clearance, where it is not certain, and where the teeth are too thick without it
+    Keys const thick{"flexspline.profile.thickness=1.95", "flexspline.profile.pressure_angle_deg=20",
+                     "flexspline.profile.addendum=0.95", "flexspline.profile.dedendum=1.375",
+                     "wave_generator.radial_deformation=0.95"};
+    for (std::string const clearance : {"0", "0.01"}) {
+        Keys keys = thick;
+        keys.push_back("circular_spline.backlash_offset=" + clearance);
+        CHECK_THAT(failure(printed(keys)).what(), !ContainsSubstring("side clearance of"));
+    }
 }
 
 TEST_CASE("a tilt that makes the tip circle of one end too small is a warning", "[judgement]")
@@ -487,7 +548,7 @@ TEST_CASE("a land that is lost is won by what was computed, and by no larger def
     CHECK(swept.code() == ErrorCode::no_land);
     CHECK_THAT(swept.remedy(), !ContainsSubstring("radial_deformation"));
     REQUIRE(swept.set().size() == 1);
-    keys[1] = swept.set().front();
+    keys.push_back(swept.set().front());
     CHECK_NOTHROW(solve(builtin_scene(keys)));
 }
 
