@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -19,6 +18,7 @@
 #include "load/study/loaded_scene.hpp"
 #include "part_of_case.hpp"
 #include "running/losses.hpp"
+#include "running/planned_sequences.hpp"
 #include "running/run_scene.hpp"
 #include "running/sequence_figures.hpp"
 #include "running/sequences.hpp"
@@ -27,57 +27,6 @@ namespace hdconj {
 namespace {
 
 using running::SequenceObserver;
-
-/// Which rings of teeth have errors that differ from tooth to tooth.
-struct RingsWithErrors
-{
-    explicit RingsWithErrors(Scene const& scene, running::RunningMotion const& motion)
-    {
-        bool const cup = scene.errors && scene.errors->flexspline,
-                   spline = scene.errors && scene.errors->circular_spline;
-        held = motion.turns_cup() ? spline : cup;
-        turning = motion.turns_cup() ? cup : spline;
-    }
-    bool held = false, turning = false;
-};
-
-/// A sequence to compute: first contacts, or balances.
-struct PlannedSequence
-{
-    running::SpanPlan plan;
-    bool under_torque = false;
-};
-
-/// Sequences that @p scene calls for: over a tooth pitch always; over a turn of the wave generator against a ring that
-/// has errors; until both rings meet as before, first contacts only, where both have. A balance of the whole ring takes
-/// seconds, a first contact milliseconds: of the latter a turn has more.
-std::vector<PlannedSequence> planned_sequences(Scene const& scene, running::RunTask const& task)
-{
-    constexpr int fewest_balances = 32, first_contacts_each = 16, positions_per_turn = 16;
-    RingsWithErrors const rings(scene, task.motion);
-    bool const elastic = task.torque > 0;
-    int const held = task.motion.held_teeth(), turning = task.motion.turning_teeth();
-    std::vector<PlannedSequence> sequences;
-    auto const add = [&](RunSpan span, int period, int positions, bool under_torque) {
-        sequences.push_back({running::whole_pitch_plan(span, period, positions), under_torque});
-    };
-    running::SpanPlan pitch = running::tooth_pitch_plan(task.positions);
-    pitch.repeats = !rings.held && !rings.turning;
-    sequences.push_back({pitch, false});
-    if (elastic)
-        sequences.push_back({pitch, true});
-    if (rings.held || rings.turning) {
-        int const period = rings.held ? held : turning;
-        add(RunSpan::input_turn, period, first_contacts_each * task.positions, false);
-        if (elastic)
-            add(RunSpan::input_turn, period, std::max(fewest_balances, task.positions), true);
-    }
-    if (rings.held && rings.turning) {
-        int const period = std::lcm(held, turning);
-        add(RunSpan::output_turn, period, period / held * positions_per_turn, false);
-    }
-    return sequences;
-}
 
 /// Tells how many of all positions are done.
 class PositionProgress
@@ -131,11 +80,17 @@ void enter_part(contact::ContactStudyData& data, surface::SurfaceSpec const& spe
     study.side_clearance = pipeline::write_part(study.solution, data, spec, tip, offset);
 }
 
-/// Adds a sequence that has positions.
-void add(RunSequence sequence, RunStudy& study)
+/// Adds a sequence that has positions. That over a tooth pitch comes before those of the same torque at whole pitches.
+void add(RunSequence sequence, Scene const& scene, RunStudy& study)
 {
-    if (!sequence.positions.empty())
-        study.sequences.push_back(std::move(sequence));
+    if (sequence.positions.empty())
+        return;
+    auto const pitch = std::ranges::find_if(study.sequences, [&](RunSequence const& each) {
+        return each.span == RunSpan::tooth_pitch && each.torque == sequence.torque;
+    });
+    if (sequence.span != RunSpan::tooth_pitch && pitch != study.sequences.end() && running::has_moved_ring(scene))
+        running::add_places_between(sequence, *pitch);
+    study.sequences.push_back(std::move(sequence));
 }
 
 /// First contacts in the shape that the scene prescribes. The flanks are as exact as the solver's tolerance.
@@ -149,10 +104,10 @@ void run_prescribed(contact::ContactStudyData& data, running::RunTask const& tas
         return least.enter(running::first_contact(context, surface.grid, task.motion, pitches), pitches);
     };
     double const angle = 2 * context.tolerance.length / context.geometry.r_m;
-    for (auto const& [plan, under_torque] : planned_sequences(context.scene, task)) {
+    for (auto const& [plan, under_torque] : running::planned_sequences(context.scene, task)) {
         RunSequence sequence = running::first_contacts(plan, task.motion, turn_at, observer);
         running::add_shape_error(sequence, angle);
-        add(std::move(sequence), study);
+        add(std::move(sequence), context.scene, study);
     }
     enter_part(data, spec, surface.tip, surface.offset, study);
     least.judge(context.scene, study);
@@ -171,8 +126,8 @@ struct GridPair
 
 /// A sequence with its errors. That until both rings meet is too long for a second grid: it has those of the turn of
 /// the wave generator that was computed before it.
-void run_elastic_sequence(PlannedSequence const& planned, GridPair const& drives, running::RunTask const& task,
-                          SequenceObserver const& observer, LeastPlay& least, RunStudy& study)
+void run_elastic_sequence(running::PlannedSequence const& planned, GridPair const& drives, running::RunTask const& task,
+                          SequenceObserver const& observer, Scene const& scene, LeastPlay& least, RunStudy& study)
 {
     running::SpanPlan const& plan = planned.plan;
     SequenceObserver const silent{observer.stop, observer.on_position, {}};
@@ -191,7 +146,7 @@ void run_elastic_sequence(PlannedSequence const& planned, GridPair const& drives
         for (RunSequence const& each : study.sequences)
             if (each.span == RunSpan::input_turn && each.torque == 0)
                 running::add_error_of(sequence, each);
-    add(std::move(sequence), study);
+    add(std::move(sequence), scene, study);
 }
 
 /// Everything of an elastic drive.
@@ -223,8 +178,8 @@ void run_elastic(contact::ContactStudyData& data, running::RunTask const& task, 
                           load::grid_safety(flanks.slices())};
     LeastPlay least;
     data.clock.run(Stage::run, [&] {
-        for (PlannedSequence const& each : planned_sequences(context.scene, task))
-            run_elastic_sequence(each, drives, task, observer, least, study);
+        for (running::PlannedSequence const& each : running::planned_sequences(context.scene, task))
+            run_elastic_sequence(each, drives, task, observer, context.scene, least, study);
         if (!context.scene.friction)
             return;
         running::LossModel const losses{
@@ -247,7 +202,7 @@ std::size_t positions_of(Scene const& scene, running::RunTask const& task, bool 
 {
     std::size_t const grids = task.torque > 0 && errors ? 2 : 1;
     std::size_t all = scene.friction ? (grids > 1 ? 3 : 1) * running::loss_positions : 0;
-    for (PlannedSequence const& each : planned_sequences(scene, task))
+    for (running::PlannedSequence const& each : running::planned_sequences(scene, task))
         all += each.plan.pitches.size() * (each.plan.span == RunSpan::output_turn ? 1 : grids);
     return all;
 }

@@ -60,7 +60,7 @@ double above_highest(std::vector<double> const& values, bool repeats)
 }
 
 /// How far both extremes may lie beyond @p values; 0 where there are no places between: teeth have errors of their own
-/// at whole pitches.
+/// at whole pitches. For rings that are not round: add_places_between().
 double beyond_extremes(std::vector<double> values, SpanPlan const& plan)
 {
     if (plan.span != RunSpan::tooth_pitch && static_cast<double>(values.size()) >= plan.period)
@@ -251,6 +251,12 @@ void add_error_of(RunSequence& sequence, RunSequence const& like)
     for (RunPosition& each : sequence.positions)
         each.error_error += largest;
     sequence.estimated = true;
+}
+
+void add_places_between(RunSequence& sequence, RunSequence const& pitch)
+{
+    sequence.peak_to_peak_error += 2 * pitch.peak_to_peak;
+    sequence.torque_ripple_error += 2 * pitch.torque_ripple;
 }
 
 void add_shape_error(RunSequence& sequence, double angle)

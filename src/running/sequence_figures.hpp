@@ -28,6 +28,11 @@ void add_grid_error(RunSequence& sequence, RunSequence const& coarse, double saf
 /// worst of @p like, first contacts of the same rings at fewer whole pitches. Nothing where that has no estimate.
 void add_error_of(RunSequence& sequence, RunSequence const& like);
 
+/// Adds what lies between the positions of a sequence at whole pitches where an eccentricity or a wobble moves the
+/// teeth there too: at either extreme as much as the error, and the torque, changes over the tooth pitch of @p pitch,
+/// under the same torque.
+void add_places_between(RunSequence& sequence, RunSequence const& pitch);
+
 /// Adds what an error of the shape of up to @p angle at each position comes to [rad].
 void add_shape_error(RunSequence& sequence, double angle);
 

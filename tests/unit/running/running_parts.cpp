@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
 /// Parts of a running drive: orders, errors that go back, lubricant, bearing, flanks.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <string>
 #include <vector>
 
+#include "hdconj/read_scene.hpp"
+#include "hdconj/running.hpp"
 #include "hdconj/units.hpp"
 #include "running/friction_loss.hpp"
 #include "running/losses.hpp"
@@ -311,6 +315,38 @@ TEST_CASE("the wave generator is driven back where the torque has overcome what 
     CHECK(running::back_driving_torque(loss_model(friction), {run_at(0), run_at(500)}) == 0);
     friction.flanks = 1;
     CHECK_FALSE(running::back_driving_torque(loss_model(friction), {run_at(0), run_at(500), run_at(1000)}));
+}
+
+TEST_CASE("an eccentricity has its extremes between whole pitches, within the error of a turn", "[running]")
+{
+    auto const run = [](double pitches) {
+        constexpr double pitch_deg = 360.0 / 62;
+        std::string const text =
+            "[drive]\nname = \"printed\"\nmodule = 1\nflexspline_teeth = 60\ncircular_spline_teeth = 62\n"
+            "[flexspline]\nwall = 0.8\n[flexspline.profile]\nfamily = \"straight\"\naddendum = 0.8\n"
+            "dedendum = 1.1\nthickness = 1.5\npressure_angle_deg = 28.6\n[circular_spline]\nwidth = 8\n"
+            "[wave_generator]\nfamily = \"cosine\"\nradial_deformation = 1.0\nwaves = 2\n"
+            "[solver]\ntolerance = 1e-5\n[errors.circular_spline]\neccentricity = 0.02\n"
+            "eccentricity_phase_deg = " +
+            std::to_string(-pitches * pitch_deg);
+        RunOptions unloaded;
+        unloaded.torque = 0;
+        return study_run(examine_scene(text, "printed", {}, {}).scene, unloaded).sequences;
+    };
+    auto const less = [](RunPosition const& a, RunPosition const& b) { return a.error < b.error; };
+    RunSequence const turn = run(0).back();
+    REQUIRE(turn.span == RunSpan::input_turn);
+    REQUIRE(turn.positions.size() == 62);
+    // whole pitches later the same ring stands there as if its phase were that much less
+    auto const [low, high] = std::ranges::minmax_element(turn.positions, less);
+    double lowest = low->error, highest = high->error;
+    for (auto const& extreme : {low, high})
+        for (RunPosition const& each : run(static_cast<double>(extreme - turn.positions.begin())).front().positions) {
+            lowest = std::min(lowest, each.error);
+            highest = std::max(highest, each.error);
+        }
+    CHECK(highest - lowest > 1.01 * turn.peak_to_peak);
+    CHECK(highest - lowest <= turn.peak_to_peak + turn.peak_to_peak_error);
 }
 
 TEST_CASE("figures of a sequence are those of the function that it samples", "[running]")
