@@ -55,8 +55,7 @@ void examine_geometry(scene::SceneReading& reading);
 
 /// One JSON object: "format", "format_version", "scene", "faults" [{"path", "line", "value", "reason", "remedy",
 /// "origin", "set", "kind"}], and, when there is a plan, "stages" [{"stage", "reason"}], "absent" [{"effect",
-/// "remedy"}] and "judgement" with
-/// @p notes. @p plan may be null.
+/// "remedy"}] and "judgement" with @p notes. @p plan may be null.
 [[nodiscard]] std::string check_json(std::string const& scene_name, Faults const& faults, Plan const* plan,
                                      Notes const& notes = {});
 

@@ -55,7 +55,7 @@ TEST_CASE("remedies for a missing cup, bearing, width and torque suit a drive of
 {
     for (double const module : {0.1, 0.25, 0.8, 3.0})
         for (Keys const& given : {Keys{}, Keys{fmt::format("circular_spline.width={}", 25 * module)},
-                                 Keys{"bearing.type=rigid", fmt::format("bearing.width={}", 20 * module)}}) {
+                                  Keys{"bearing.type=rigid", fmt::format("bearing.width={}", 20 * module)}}) {
             Keys keys = given;
             Faults const missing = check_load(flat_drive(module, keys).scene, {});
             CHECK(missing.size() >= 3);
