@@ -38,6 +38,12 @@ def _write_attributes(place: Any, attrs: Any) -> None:
             place.attrs.create(name, list(value), shape=(len(value),), dtype=_TEXT)
 
 
+def _bytes_of(texts: Array) -> Array:
+    """Texts in UTF-8, and bytes that are none as they were read."""
+    coded = [text.encode("utf-8", "surrogateescape") for text in texts.ravel().tolist()]
+    return np.array(coded, dtype=object).reshape(texts.shape)
+
+
 def _write_group(group: Group, place: Any, outer: dict[str, Any]) -> None:
     scales = dict(outer)
 
@@ -55,7 +61,7 @@ def _write_group(group: Group, place: Any, outer: dict[str, Any]) -> None:
             name, shape=entry.values.shape, dtype=_TEXT if is_text else entry.values.dtype, track_times=False
         )
         if entry.values.size:
-            made[...] = entry.values
+            made[...] = _bytes_of(entry.values) if is_text else entry.values
         _write_attributes(made, {"units": entry.units, "long_name": entry.meaning})
         if entry.dims == (name,):
             made.make_scale(name)

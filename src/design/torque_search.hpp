@@ -15,7 +15,8 @@ namespace hdconj::design {
 using WallUnder = std::function<WallTrial(std::size_t, double)>;
 
 /// The largest torque of two digits below @p asked that one of some walls stands; nothing where none is found. The
-/// stress in a wall grows with the torque, at most in proportion, so that the result does not depend on @p asked.
+/// stress in a wall grows with the torque, at most in proportion, so that the result does not depend on @p asked where
+/// every load has a result.
 /// @param refused  of each wall under the torque @p asked, which none of them stands
 /// @param allowed  stress [MPa]
 /// @param far      torque above which a wall without a result is not tried again [N mm]

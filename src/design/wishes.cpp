@@ -41,7 +41,7 @@ class WishFaults
         size();
         within("--length-ratio", wishes_.length_ratio, length_ratios, "a cup's length is 0.2 to 1 pitch diameters");
         within("--land", wishes_.land, {0, 0.8},
-               "a least tip land of 0 to 0.8 modules can be asked for; lands may come out wider");
+               "a tip land of at least 0 to 0.8 modules can be asked for; lands may come out wider");
         within("--safety", wishes_.safety, {1, 10}, "below 1 the cup breaks, above 10 no wall is thin enough");
         if (wishes_.torque && positive("--torque", *wishes_.torque / newton_metre, "write a torque in N m such as 28"))
             within("--torque", *wishes_.torque / newton_metre,

@@ -100,15 +100,16 @@ void validate_cup(Scene const& scene, double inner_radius, Faults& faults)
                           line > 0 ? "" : "--set"});
     };
     if (bearing.middle - bearing.width / 2 < section.corner_radius ||
-        bearing.middle + bearing.width / 2 > section.length)
+        bearing.middle + bearing.width / 2 > section.length) {
+        double const most = 2 * std::min(bearing.middle - section.corner_radius, section.length - bearing.middle);
         at("bearing.width",
            "the bearing would reach beyond the straight wall, from " + short_number(section.corner_radius) + " to " +
                short_number(section.length) + " mm above the bottom: its middle is at " + short_number(bearing.middle) +
                " mm",
-           "write a bearing.width of at most " +
-               at_most_text(2 * std::min(bearing.middle - section.corner_radius, section.length - bearing.middle)) +
-               (scene.given.contains("coning.bottom_to_middle") ? ", or another coning.bottom_to_middle"
-                                                                : ", or a longer flexspline.cup.length"));
+           "write " + (most > 0 ? "a bearing.width of at most " + at_most_text(most) + ", or " : std::string()) +
+               (scene.given.contains("coning.bottom_to_middle") ? "another coning.bottom_to_middle"
+                                                                : "a longer flexspline.cup.length"));
+    }
     if (bearing.ring && bearing.ring->thickness >= inner_radius)
         at("bearing.ring_thickness", "the cup's inner radius is " + short_number(inner_radius) + " mm",
            "write a small part of that, such as " + scene::length_text(scene::UsualCup(scene).ring_thickness));

@@ -21,7 +21,7 @@ Eigen::MatrixXd bends_of(Eigen::MatrixXd const& raw, int first)
 
 }  // namespace
 
-CommonErrors::CommonErrors(std::vector<PointView> const& views, NominalPart const& part)
+CommonErrors::CommonErrors(std::vector<PointView> const& views, NominalPart const& part, CommonErrorsKnown known)
     : raw_(Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(views.size()), terms)), mix_(terms, 0)
 {
     double const radius = part.planes.front().reference_radius;
@@ -34,7 +34,7 @@ CommonErrors::CommonErrors(std::vector<PointView> const& views, NominalPart cons
             xi, xi * xi;
     }
     bool const left = !raw_.col(0).isZero(0), right = !raw_.col(side_terms).isZero(0);
-    has_excess_ = left && right;
+    has_excess_ = left && right && known != CommonErrorsKnown::none;
     Eigen::VectorXd excess = Eigen::VectorXd::Zero(terms);
     excess[0] = -1;
     excess[side_terms] = 1;
@@ -45,7 +45,7 @@ CommonErrors::CommonErrors(std::vector<PointView> const& views, NominalPart cons
         all.middleCols(has_excess_ ? 1 : 0, side_terms - 1) = bends_of(raw_, 0);
     if (right)
         all.rightCols(side_terms - 1) = bends_of(raw_, side_terms);
-    if (all.cols() > 0 && raw_.rows() >= all.cols() &&
+    if (known == CommonErrorsKnown::all && all.cols() > 0 && raw_.rows() >= all.cols() &&
         numeric::LeastSquares(raw_ * all, least_bend).rank() == all.cols())
         mix_ = all;
     else if (has_excess_)

@@ -24,7 +24,7 @@ class CommonErrors
     /// Turn, rise and square of xi of the left flanks, then of the right ones: all patterns are sums of these.
     static constexpr int terms = 6;
 
-    CommonErrors(std::vector<PointView> const& views, NominalPart const& part);
+    CommonErrors(std::vector<PointView> const& views, NominalPart const& part, CommonErrorsKnown known);
 
     /// @p columns without what the common errors explain of them.
     [[nodiscard]] Eigen::MatrixXd without(Eigen::MatrixXd const& columns) const;

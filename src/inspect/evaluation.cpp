@@ -124,26 +124,32 @@ void add_points(Inspection& result, Fitted const& found, PlanePoints const& on, 
 }
 
 /// Whether the teeth hardly tell a shift from errors that all flanks share.
+/// @param known    errors that the registration knows
 /// @param inverse  covariance of the unknowns beside common errors
 /// @param rows     derivatives of the deviations
-void add_note_of_sector(Inspection& result, Eigen::MatrixXd const& inverse, Eigen::MatrixXd const& rows)
+void add_note_of_sector(Inspection& result, CommonErrorsKnown known, Eigen::MatrixXd const& inverse,
+                        Eigen::MatrixXd const& rows)
 {
     constexpr double weak = 2, small_part = 0.05;
+    if (result.options.registration == Registration::least_squares && known != CommonErrorsKnown::all)
+        result.notes.push_back(fmt::format(
+            "the points do not tell {}slope and crowning from the position of the part: what flanks have of these in "
+            "common changes it, beyond the intervals; write --register turn if the axis is known",
+            known == CommonErrorsKnown::none ? "thickness, " : ""));
     // its eigenvalues are 1 over the squared sines of the angles between both; the largest is hardly below this
     double const squared = (inverse * (rows.transpose() * rows)).trace() - static_cast<double>(rows.cols() - 1);
-    if (result.options.registration == Registration::minimum_zone) {
-        if (double const part = 1 - 1 / squared; part > small_part)
-            result.notes.push_back(
-                fmt::format("a minimum zone of these teeth takes up to {:.0f} % of what all flanks have in common "
-                            "(thickness, slope, "
-                            "crowning) for a shift: write --register turn if the axis is known, else least-squares",
-                            100 * part));
-    } else if (squared > weak * weak) {
+    double const part = 1 - 1 / squared;
+    bool const zone = result.options.registration == Registration::minimum_zone;
+    if (zone && part > small_part)
+        result.notes.push_back(fmt::format(
+            "a minimum zone of these teeth takes up to {:.0f} % of what all flanks have in common (thickness, slope, "
+            "crowning) for a shift: write --register turn if the axis is known, else least-squares",
+            100 * part));
+    else if (!zone && squared > weak * weak)
         result.notes.push_back(fmt::format(
             "the teeth hardly tell a shift from thickness, slope and crowning: errors of another form that all flanks "
             "share come into these up to {:.0f}-fold, beyond the intervals; write --register turn if the axis is known",
             std::sqrt(squared)));
-    }
 }
 
 /// Turn and shift with what noise makes of them.
@@ -169,20 +175,23 @@ RegistrationNoise add_placement(Inspection& result, Fitted const& found, Nominal
         }
     Eigen::MatrixXd const rows = jacobian(used, at, part, unknowns);
     Eigen::MatrixXd own = rows;
+    bool const zone = result.options.registration == Registration::minimum_zone;
     if (unknowns == most_unknowns) {
-        CommonErrors const common(used, part);
-        of_figures.explained = common.explained(rows);
-        own = common.without(rows);
+        CommonErrors const common(used, part, zone ? CommonErrorsKnown::all : at.known);
+        if (Eigen::MatrixXd const without = common.without(rows); numeric::LeastSquares(without).rank() == unknowns) {
+            of_figures.explained = common.explained(rows);
+            own = without;
+        }
     }
     Eigen::MatrixXd const inverse = numeric::covariance(own);
-    add_note_of_sector(result, inverse, rows);
+    add_note_of_sector(result, at.known, inverse, rows);
     Eigen::Vector3d error = Eigen::Vector3d::Zero();
     double const noise = intervals.noise();
     auto& covariance = of_figures.covariance;
-    if (result.options.registration == Registration::minimum_zone && noise > part.tolerance().roundoff()) {
-        ZoneError const zone = zone_error(rows, without_noise(points, used, found.fits, noise), noise, threads);
-        error = zone.half_width.array() + intervals.systematic();
-        covariance.topLeftCorner<most_unknowns, most_unknowns>() = zone.covariance / (noise * noise);
+    if (zone && noise > part.tolerance().roundoff()) {
+        ZoneError const off = zone_error(rows, without_noise(points, used, found.fits, noise), noise, threads);
+        error = off.half_width.array() + intervals.systematic();
+        covariance.topLeftCorner<most_unknowns, most_unknowns>() = off.covariance / (noise * noise);
     } else {
         for (Eigen::Index i = 0; i < unknowns; ++i)
             error[i] = intervals.half_width(inverse(i, i));

@@ -10,12 +10,21 @@
 
 namespace hdconj::inspect {
 
+/// Errors of all flanks that a registration knows beside the placement, as far as its points tell them apart.
+enum class CommonErrorsKnown
+{
+    all,        ///< thickness, and slope and crowning of either side
+    thickness,  ///< alone
+    none
+};
+
 /// Where the measured part lies: its nominal point x is at R x + shift, R a clockwise turn.
 struct Placement
 {
     double turn = 0;            ///< [rad]
     Vec2 shift = Vec2::Zero();  ///< [mm]
     double excess = 0;          ///< by which right flanks are turned further, left ones less [rad]
+    CommonErrorsKnown known = CommonErrorsKnown::none;
 };
 
 /// A point to be read: of which plane, and of which flank where that is known.

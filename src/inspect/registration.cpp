@@ -52,8 +52,9 @@ struct LeastSquaresStep
     double excess;
     double change;
 };
-LeastSquaresStep least_squares_step(std::vector<PointView> const& views, Placement const& placement,
-                                    Registered const& what, int unknowns)
+/// @returns nothing where the points do not tell the placement from the errors that are known beside it
+std::optional<LeastSquaresStep> least_squares_step(std::vector<PointView> const& views, Placement const& placement,
+                                                   Registered const& what, int unknowns)
 {
     Eigen::MatrixXd const rows = jacobian(views, placement, what.read.part(), unknowns);
     Eigen::VectorXd towards(static_cast<Eigen::Index>(views.size()));
@@ -63,39 +64,41 @@ LeastSquaresStep least_squares_step(std::vector<PointView> const& views, Placeme
         return view.tooth == views.front().tooth && view.right == views.front().right;
     });
     if (rows.rows() < unknowns || (one_flank && unknowns == most_unknowns))
-        refuse_loose(what.registration);
-    std::optional<CommonErrors> common;
-    if (what.registration == Registration::least_squares)
-        common.emplace(views, what.read.part());
-    Eigen::MatrixXd const own = common ? common->without(rows) : rows;
+        return std::nullopt;
+    CommonErrors const common(views, what.read.part(), placement.known);
+    Eigen::MatrixXd const own = common.without(rows);
     numeric::LeastSquares const fit(own, least_rank);
     if (fit.rank() < unknowns || own.norm() < least_rank * rows.norm())
-        refuse_loose(what.registration);
-    Eigen::VectorXd by = fit.solve(common ? Eigen::VectorXd(common->without(towards)) : towards);
-    double const excess = common ? common->excess(towards - rows * by) : 0;
+        return std::nullopt;
+    Eigen::VectorXd by = fit.solve(Eigen::VectorXd(common.without(towards)));
+    double const excess = common.excess(towards - rows * by);
     double const change = (rows * by).cwiseAbs().maxCoeff() + std::abs(excess);
-    return {std::move(by), excess, change};
+    return LeastSquaresStep{std::move(by), excess, change};
 }
 
-/// After the steps in which the points settle: a ring of another number of teeth often comes to no rest.
-void refuse_other_teeth(std::vector<PointView> const& views, NominalPart const& part, std::string const& file)
+/// How far the points lie off the flanks, after the steps in which they settle: by root mean square about the mean,
+/// since the centres of a ball of unknown radius stand off everywhere [mm].
+double distance_off(std::vector<PointView> const& views)
 {
-    constexpr double share = 1.0 / 12;  // of a pitch, a quarter of the module: no such ring would mesh
-    double const pitch = part.pitch() * part.planes.front().reference_radius;
     auto const count = static_cast<double>(views.size());
     double sum = 0, squares = 0;
     for (PointView const& view : views) {
         sum += view.deviation;
         squares += view.deviation * view.deviation;
     }
-    // about the mean: the centres of a ball of unknown radius stand off everywhere
-    double const off = std::sqrt(std::max(0.0, (squares - sum * sum / count) / count));
-    if (off > share * pitch)
-        throw InputError(Fault{"POINTS", 0, file,
-                               fmt::format("the points lie {} mm (rms) off the flanks of the part, wherever it is "
-                                           "turned and shifted to: are they of another number of teeth than {}?",
-                                           short_number(off, 2), part.teeth),
-                               "give the points of this part, and the part by --part"});
+    return std::sqrt(std::max(0.0, (squares - sum * sum / count) / count));
+}
+
+/// @param off     distance_off() [mm]
+/// @param shifts  whether the registration shifts the part
+[[noreturn]] void refuse_other_teeth(double off, NominalPart const& part, std::string const& file, bool shifts)
+{
+    throw InputError(Fault{"POINTS", 0, file,
+                           fmt::format("the points lie {} mm (rms) off the flanks of the part, wherever it is turned{} "
+                                       "to: are they of another number of teeth than {}?",
+                                       short_number(off, 2), shifts ? " and shifted" : "", part.teeth),
+                           std::string("give the points of this part, and the part by --part") +
+                               (shifts ? "" : ", or write --register least-squares if its axis is not known")});
 }
 
 /// Keeps the views on a flank, and the same points.
@@ -162,22 +165,40 @@ Placement moved(Placement placement, Eigen::VectorXd const& step, NominalPart co
     return placement;
 }
 
-Placement registered(Registered const& what)
+namespace {
+
+/// Where the steps of least squares end from @p placement on.
+struct Steps
 {
-    int const unknowns = unknowns_of(what.registration);
-    if (unknowns == 0)
-        return {};
+    bool determined = true;
+    std::optional<Placement> end;  ///< nothing where they come to none
+};
+
+/// @param used  the points, of which those that settle stay
+Steps steps_from(Placement placement, Registered const& what, Registered& used)
+{
     NominalPart const& part = what.read.part();
-    Placement placement{near_turn(what), Vec2::Zero()};
-    Registered used = what;
+    int const unknowns = unknowns_of(what.registration);
     double const rounding = part.tolerance().roundoff();
     double before = std::numeric_limits<double>::infinity();
+    std::size_t first = 0;  // points on flanks
     for (int step = 0; step < most_registration_steps; ++step) {
         std::vector<PointView> views = views_of(used.read, used.points, placement, used.threads);
         keep_settled(views, step == settled_after ? &used.points : nullptr);
-        if (step == settled_after)
-            refuse_other_teeth(views, part, what.file);
-        auto const [by, excess, change] = least_squares_step(views, placement, what, unknowns);
+        first = step == 0 ? views.size() : first;
+        // the steps of a ring of another number of teeth often do not converge after these
+        constexpr double share = 1.0 / 12;  // of a pitch, a quarter of the module: no such ring would mesh
+        constexpr double most = 0.9;        // of the points: where others are lost, noise has moved the part off them
+        bool const off = distance_off(views) > share * part.pitch() * part.planes.front().reference_radius,
+                   lost = static_cast<double>(views.size()) < most * static_cast<double>(first);
+        if (step == settled_after && placement.known != CommonErrorsKnown::none && (off || lost))
+            return {};
+        if (step == settled_after && off)
+            refuse_other_teeth(distance_off(views), part, what.file, unknowns == most_unknowns);
+        auto const found = least_squares_step(views, placement, what, unknowns);
+        if (!found)
+            return {false, std::nullopt};
+        auto const& [by, excess, change] = *found;
         placement = moved(placement, by, part);
         placement.excess += excess / part.planes.front().reference_radius;
         // a direction that the points hardly determine, such as the lean of one tooth, changes by rounding at each step
@@ -186,8 +207,32 @@ Placement registered(Registered const& what)
         if (step <= settled_after || (std::max(before, std::abs(excess)) > rounding && !only_rounding))
             continue;
         placement.excess = 0;
-        return what.registration == Registration::minimum_zone ? minimum_zone(used, placement) : placement;
+        return {true, placement};
     }
+    return {};
+}
+
+}  // namespace
+
+Placement registered(Registered const& what)
+{
+    if (unknowns_of(what.registration) == 0)
+        return {};
+    Placement start{near_turn(what), Vec2::Zero()};
+    // points of one tooth may not tell its place from its form: then less of that is known
+    std::vector<CommonErrorsKnown> known{CommonErrorsKnown::none};
+    if (what.registration == Registration::least_squares)
+        known = {CommonErrorsKnown::all, CommonErrorsKnown::thickness, CommonErrorsKnown::none};
+    Steps steps;
+    for (CommonErrorsKnown const each : known) {
+        Registered used = what;
+        start.known = each;
+        steps = steps_from(start, what, used);
+        if (steps.end)
+            return what.registration == Registration::minimum_zone ? minimum_zone(used, *steps.end) : *steps.end;
+    }
+    if (!steps.determined)
+        refuse_loose(what.registration);
     throw NumericalError(ErrorCode::not_converged, "registration", std::string(to_string(what.registration)),
                          "the steps do not come to an end",
                          "write the radius of the ball by --probe, or --register datum to see how the points lie");

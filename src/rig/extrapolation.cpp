@@ -81,7 +81,7 @@ double beyond(double value, double error, double deviations)
 
 ByCurve extrapolations(CrossingReadings const& readings, AtCrossing wanted, double far, Noise const& noise)
 {
-    // A curve through as many readings as it has coefficients has no residuals, so that an angle gets one more.
+    // A parabola through three readings has no residuals, so that its angle at the crossing wants one more.
     Eigen::Index const of_line = 2, of_bend = wanted == AtCrossing::jump ? 2 : 3,
                        of_parabola = wanted == AtCrossing::jump ? 2 : 4;
     Curve const near{readings.near, wanted, far}, farther{readings.farther, wanted, far};

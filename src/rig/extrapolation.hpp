@@ -67,7 +67,7 @@ struct CrossingReadings
 /// least error then takes the share p/(p + v) of the parabola.
 ///
 /// A parabola leaves some of a curve that is none: as much as it takes off, or twice what d is larger than b, which is
-/// how the curvature grows towards zero torque. This is added to the error as far as d is beyond two deviations of its
+/// how the curvature grows towards zero torque. This is added to the error as far as d is beyond 1.5 deviations of its
 /// noise. Of a power p of the torque the parabola leaves 0 d for p = 2, 0.3 d for p = 1.5, 1.4 d for p = 0.8 and 1.9 d
 /// for p = 2/3. Without a parabola it is the line, with an error of 2 b. Exact for lines. A bend nearer than all
 /// readings is not in the error. Domain: not empty.

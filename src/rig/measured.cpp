@@ -105,9 +105,9 @@ void add_loop(BranchFigures const& all, double drift_error, MeasuredStiffness& r
     std::vector<Estimate> by_friction;
     for (std::size_t j = 0; j < std::min(width.size(), jump.size()); ++j)
         by_friction.push_back({width[j].value - jump[j].value,
-                               std::hypot(with_drift(width[j]).error / std::numbers::sqrt2, jump[j].error),
-                               result.cycles});
+                               std::hypot(width[j].error / std::numbers::sqrt2, jump[j].error), result.cycles});
     result.friction_width = rig::extrapolated(by_friction);
+    result.friction_width.error = std::hypot(result.friction_width.error, drift_error * apart / std::numbers::sqrt2);
 }
 
 /// Takes the drift out.

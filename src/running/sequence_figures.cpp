@@ -255,8 +255,8 @@ void add_error_of(RunSequence& sequence, RunSequence const& like)
 
 void add_places_between(RunSequence& sequence, RunSequence const& pitch)
 {
-    sequence.peak_to_peak_error += 2 * pitch.peak_to_peak;
-    sequence.torque_ripple_error += 2 * pitch.torque_ripple;
+    sequence.peak_to_peak_error += 2 * (pitch.peak_to_peak + pitch.peak_to_peak_error);
+    sequence.torque_ripple_error += 2 * (pitch.torque_ripple + pitch.torque_ripple_error);
 }
 
 void add_shape_error(RunSequence& sequence, double angle)

@@ -88,7 +88,7 @@ bool is_free(WireProgram const& program, double length)
 }
 
 /// The longest overlap below that of the program whose way out is free, to a 64th of it; none where no shorter one
-/// helps. A pass may end by up to a shortest block before the end of its overlap, which then is free too.
+/// helps. A pass may end by up to a shortest block before or behind the end of its overlap, where the way is free too.
 std::optional<double> free_overlap(WireProgram const& program)
 {
     constexpr int parts = 64;
@@ -96,10 +96,13 @@ std::optional<double> free_overlap(WireProgram const& program)
     double given = 0;
     for (std::size_t i = overlap_begin(pass); i + 2 < pass.moves.size(); ++i)
         given += (pass.moves[i + 1].lower - pass.moves[i].lower).norm();
+    if (is_free(program, given))
+        return std::nullopt;  // it is the lead-in that is too near
     double const digit = std::pow(10.0, -program.decimals), least = least_block(program.decimals);
     for (int part = parts - 1; part >= 0; --part) {
         double const length = std::floor(given * part / parts / digit) * digit;
-        if (is_free(program, length) && is_free(program, std::max(0.0, length - least)))
+        if (is_free(program, length) && is_free(program, std::max(0.0, length - least)) &&
+            is_free(program, std::min(given, length + least)))
             return length;
     }
     return std::nullopt;

@@ -18,6 +18,7 @@ from scipy.optimize import least_squares, linprog, root
 
 TEETH, SEAT = 200, 25.0  # number of teeth, radius of the pitch line
 AGREEMENT = 1e-10  # mm
+OF_LEAST_SQUARES = 1e-8  # mm; places along the flank enter, which the program knows to some millionth of its length
 H_A, H_F, R_A, L_A, R_F, B_F, H_T = 0.2250, 0.3030, 0.2701, 0.0982, 0.5145, 0.0671, 0.1900
 CONVEX = np.array([-L_A, 0.0])
 CONCAVE = np.array([np.sqrt((R_A + R_F) ** 2 - B_F ** 2) - L_A, B_F])
@@ -60,12 +61,27 @@ def distance_of(p):
     return np.where(below, concave, np.where(above, line, convex))
 
 
-def deviations(unknowns, points, tooth, right, probe):
-    turn, x, y = unknowns
-    place = turned(points - np.array([x, y]), -turn)
+def arc_fraction_of(p):
+    """Place of the foot of points (n, 2) on right flanks: -1 at the root, 1 at the tip."""
+    to_concave, to_convex = p - CONCAVE, p - CONVEX
+    below = np.arctan2(-to_concave[:, 1], -to_concave[:, 0])
+    above = np.arctan2(to_convex[:, 1], to_convex[:, 0])
+    line = sum(LENGTHS[:2]) + (p - LINE_FROM) @ np.array([-N_TIP[1], N_TIP[0]])
+    s = np.where(below > JOINT, R_F * (ROOT - below), np.where(above > TIP, line, LENGTHS[0] + R_A * (above - JOINT)))
+    return 2 * s / sum(LENGTHS) - 1
+
+
+def on_right_flank(unknowns, points, tooth, right):
+    """Points in the frame of a right flank. The last unknown turns right flanks further and left ones less."""
+    turn, x, y, excess = unknowns
+    place = turned(points - np.array([x, y]), -(turn + np.where(right, excess, -excess)))
     place = turned(place, -tooth * 2 * np.pi / TEETH) - np.array([0, SEAT])
     place[:, 0] *= np.where(right, 1, -1)
-    return distance_of(place) - probe
+    return place
+
+
+def deviations(unknowns, points, tooth, right, probe):
+    return distance_of(on_right_flank((*unknowns, 0)[:4], points, tooth, right)) - probe
 
 
 def ring(seed, teeth, per_flank, probe):
@@ -107,6 +123,29 @@ def minimum_zone(residuals, at):
     return at + exact.x[:3]
 
 
+def with_common_errors(near, points, tooth, right, probe):
+    """Least squares with a thickness, and a slope and a crowning of either side, as unknowns beside turn and shift.
+
+    Slope and crowning are taken without what a turn of their side explains, so that they leave the turn to the rest.
+    """
+    def off(v):
+        return deviations((v[0] / SEAT, v[1], v[2], v[3] / SEAT), points, tooth, right, probe)
+
+    def equations(v):
+        rows = slopes(off, v[:4])
+        xi = arc_fraction_of(on_right_flank((v[0] / SEAT, v[1], v[2], v[3] / SEAT), points, tooth, right))
+        patterns = []
+        for side in (right, ~right):
+            turn = np.where(side, rows[:, 0], 0)
+            for power in (1, 2):
+                bend = np.where(side, xi ** power, 0)
+                patterns.append(bend - turn * (turn @ bend) / (turn @ turn))
+        bends = np.stack(patterns, -1)
+        return np.hstack([rows, bends]).T @ (off(v[:4]) + bends @ v[4:])
+
+    return root(equations, np.r_[near, np.zeros(5)], tol=1e-15).x[:3]
+
+
 def by_scipy(registration, points, tooth, right, probe):
     """Turn times radius and shift in mm."""
     if registration == "datum":
@@ -119,6 +158,8 @@ def by_scipy(registration, points, tooth, right, probe):
     near = least_squares(residuals, np.zeros(free), method="lm").x
     # the minimiser ends where the sum no longer changes; the roots of its gradient are sharper
     at = root(lambda v: slopes(residuals, v).T @ residuals(v), near, tol=1e-15).x
+    if registration == "least-squares":
+        return with_common_errors(at, points, tooth, right, probe)
     return minimum_zone(residuals, at) if registration == "minimum-zone" else np.r_[at, np.zeros(3 - free)]
 
 
@@ -137,10 +178,10 @@ def main(program):
                 ours = np.array([np.radians(found["turn_deg"]) * SEAT, found["shift_x_um"] / 1e3,
                                  found["shift_y_um"] / 1e3])
                 away = np.abs(ours - by_scipy(registration, points, tooth, right, probe)).max()
-                worst = max(worst, away)
+                worst = max(worst, away / (OF_LEAST_SQUARES if registration == "least-squares" else AGREEMENT))
                 print(f"seed {seed} {registration}: {away:.2e} mm")
-    print(f"largest difference {worst:.2e} mm")
-    return 0 if worst <= AGREEMENT else 1
+    print(f"largest difference {worst:.2g} of what is allowed")
+    return 0 if worst <= 1 else 1
 
 
 if __name__ == "__main__":

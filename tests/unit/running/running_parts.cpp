@@ -340,11 +340,13 @@ TEST_CASE("an eccentricity has its extremes between whole pitches, within the er
     // whole pitches later the same ring stands there as if its phase were that much less
     auto const [low, high] = std::ranges::minmax_element(turn.positions, less);
     double lowest = low->error, highest = high->error;
-    for (auto const& extreme : {low, high})
-        for (RunPosition const& each : run(static_cast<double>(extreme - turn.positions.begin())).front().positions) {
+    for (auto const& extreme : {low, high}) {
+        RunSequence const pitch = run(static_cast<double>(extreme - turn.positions.begin())).front();
+        for (RunPosition const& each : pitch.positions) {
             lowest = std::min(lowest, each.error);
             highest = std::max(highest, each.error);
         }
+    }
     CHECK(highest - lowest > 1.01 * turn.peak_to_peak);
     CHECK(highest - lowest <= turn.peak_to_peak + turn.peak_to_peak_error);
 }
