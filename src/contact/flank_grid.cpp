@@ -163,7 +163,7 @@ FlankGrid flank_grid(conjugate::MatchedOutline const& outline, std::vector<doubl
 
 FlankGrid moved_into_material(FlankGrid grid, double offset)
 {
-    offset -= std::exchange(grid.laid, offset);
+    offset -= std::exchange(grid.included_clearance, offset);
     for (std::size_t f = 0; f < 2; ++f)
         for (std::size_t k = 0; k < grid.slices(); ++k) {
             bool const whole = !grid.line[f].empty();
@@ -202,7 +202,7 @@ FlankGrid slice_of(FlankGrid const& grid, std::size_t k)
         one.tip = {grid.tip[k]};
     if (!grid.shift.empty())
         one.shift = {grid.shift[k]};
-    one.laid = grid.laid;
+    one.included_clearance = grid.included_clearance;
     auto const take = [k](auto const& all, auto& one_of_them) {
         for (std::size_t f = 0; f < 2; ++f)
             if (!all[f].empty())

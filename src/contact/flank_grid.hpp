@@ -44,9 +44,10 @@ struct FlankGrid
     /// before that, as it is in the outline that is written.
     std::vector<double> shift;
 
-    /// Side clearance that the points above have already [mm]. Slices with a draft are made with it: one that moves
-    /// inward along its normals loses an end of the flank, which moving the rest outward would not bring back.
-    double laid = 0;
+    /// Side clearance that the points above already contain [mm]. The slices of a draft are computed with it: a slice
+    /// that a draft moves inward loses an end of its flank, and moving the rest outward afterwards would not restore
+    /// it.
+    double included_clearance = 0;
 
     /// [flank][slice] where not empty: the points are centres of circles of this radius within the material, and gaps
     /// are those of the circles [mm]

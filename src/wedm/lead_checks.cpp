@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The start hole and the straight ways between it and the path.
+// The start hole, and the leads between it and the path.
 #include <fmt/format.h>
 
 #include <algorithm>

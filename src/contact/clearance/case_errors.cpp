@@ -289,11 +289,11 @@ void write_errors(CaseSurface const& surface, SliceClearances const& clearances,
         anew.emplace(surface.context(), finer.builder());
     conjugate::MatchedOutline const outline = finer.outline(made.tip);
     double const tip = made.cleared.tip, least = result.least_side_clearance, most = std::max(made.given, least);
-    bool const apart = surface.is_drafted();  // is made with each side clearance
-    PartFlanks const flanks = part_flanks(finer, outline, made.tip, apart ? made.given : most);
-    bool const same = tip == made.tip && (!apart || made.given == least);
+    bool const per_clearance = surface.is_drafted();  // is made with each side clearance
+    PartFlanks const flanks = part_flanks(finer, outline, made.tip, per_clearance ? made.given : most);
+    bool const same = tip == made.tip && (!per_clearance || made.given == least);
     write({finer, errors ? *anew : clearances, outline, flanks.grid,
-           same ? flanks : part_flanks(finer, finer.outline(tip), tip, apart ? least : most)});
+           same ? flanks : part_flanks(finer, finer.outline(tip), tip, per_clearance ? least : most)});
 }
 
 }  // namespace hdconj::contact

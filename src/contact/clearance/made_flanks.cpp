@@ -20,7 +20,7 @@ std::optional<FlankGrid> solved_flanks(CaseSurface const& surface, double tip, d
         int const points = context.request.flank_points;
         FlankGrid grid =
             flank_grid(builder.outline(surface.spec(), tip, {context.tolerance.length, points}), surface.z(), points);
-        grid.laid = side_clearance;
+        grid.included_clearance = side_clearance;
         return grid;
     } catch (NumericalError const& error) {
         if (!error.is_infeasible())
@@ -31,7 +31,8 @@ std::optional<FlankGrid> solved_flanks(CaseSurface const& surface, double tip, d
 
 FlankGrid made_flanks(CaseSurface const& surface, FlankGrid const& bare, double tip, double side_clearance)
 {
-    bool const solved = surface.is_made_with_clearance() && side_clearance != 0 && bare.laid != side_clearance;
+    bool const solved =
+        surface.is_made_with_clearance() && side_clearance != 0 && bare.included_clearance != side_clearance;
     std::optional<FlankGrid> grid = solved ? solved_flanks(surface, tip, side_clearance) : std::nullopt;
     return grid ? *std::move(grid) : moved_into_material(bare, side_clearance);
 }

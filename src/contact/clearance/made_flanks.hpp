@@ -19,7 +19,8 @@ namespace hdconj::contact {
 /// straight lines that join the outlines of its end planes, which are moved before they are joined. Slices between that
 /// are moved along their own normals give another surface: other points of the ends are joined, and where the normals
 /// of the ends differ a line is moved by less than the side clearance. Slices with a draft are made with theirs too,
-/// see FlankGrid::laid. Where the outline cannot be made with that side clearance the slices are moved all the same.
+/// see FlankGrid::included_clearance. Where the outline cannot be made with that side clearance the slices are moved
+/// all the same.
 /// @param tip             radius of the tip circle at z = 0 [mm]
 /// @param side_clearance  [mm]
 [[nodiscard]] FlankGrid made_flanks(CaseSurface const& surface, FlankGrid const& bare, double tip,

@@ -30,7 +30,7 @@ Missing missing(FlankGrid const& grid, std::size_t k, double distance)
     for (std::size_t f = 0; f < 2; ++f) {
         double const tip = grid.tip.empty() ? grid.point[f][k].front().norm() : grid.tip[k];
         Vec2 const& normal = grid.normal[f][k].front();
-        Vec2 const corner = grid.point[f][k].front() + (distance - grid.laid) * normal;
+        Vec2 const corner = grid.point[f][k].front() + (distance - grid.included_clearance) * normal;
         double const radial = corner.norm() - tip, slope = std::abs(cross(corner, normal)) / corner.norm();
         if (!(radial > 0))
             continue;
