@@ -23,8 +23,13 @@ namespace hdconj {
 /// @throws InputError with every fault of the file and the overrides
 [[nodiscard]] Scene read_scene(std::filesystem::path const& file, std::vector<std::string> const& overrides = {});
 
-/// Parses a scene given as text; relative file names start at @p folder.
-/// @param files  what files hold that are not read again, by their names in the scene
+/// Parses a scene given as text.
+/// @param text       the scene in TOML
+/// @param name       as messages call the scene
+/// @param folder     where relative file names start
+/// @param overrides  as of read_scene
+/// @param files      what files hold that are not read again, by their names in the scene
+/// @throws InputError with every fault of the text and the overrides
 [[nodiscard]] Scene parse_scene(std::string_view text, std::string const& name,
                                 std::filesystem::path const& folder = {},
                                 std::vector<std::string> const& overrides = {}, scene::NamedTexts files = {});
@@ -42,8 +47,12 @@ inline constexpr std::size_t largest_scene = std::size_t{16} << 20;
 [[nodiscard]] scene::SceneReading examine_scene_file(std::filesystem::path const& file,
                                                      std::vector<std::string> const& overrides = {});
 
-/// Reads a scene from text; relative file names start at @p folder.
-/// @param files  what files hold that are not read again, by their names in the scene
+/// Reads a scene from text.
+/// @param text       the scene in TOML
+/// @param name       as messages call the scene
+/// @param folder     where relative file names start
+/// @param overrides  as of examine_scene_file
+/// @param files      what files hold that are not read again, by their names in the scene
 [[nodiscard]] scene::SceneReading examine_scene(std::string_view text, std::string const& name,
                                                 std::filesystem::path const& folder = {},
                                                 std::vector<std::string> const& overrides = {},

@@ -94,8 +94,8 @@ struct FailedDrive
 /// The drives of a page, as far as they were computed.
 struct Report
 {
-    std::vector<ReportedDrive> drives;
-    std::vector<FailedDrive> failed;
+    std::vector<ReportedDrive> drives;  ///< those computed, in the order of the sources
+    std::vector<FailedDrive> failed;    ///< those left out, in the same order
 };
 
 /// Makes the drives of a report one after the other by @p make, called with each of @p sources. One that fails is
