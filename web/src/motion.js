@@ -48,11 +48,12 @@ export class Mesh {
       + (outline && outline.type === "f4" ? this.reach * 2 ** -24 : 0);
   }
 
-  /** Point @p i of the tooth space's outline in a slice.
+  /** Point @p i of the tooth space's outline in a slice; on the chord between two where @p i is no whole number.
    * @param {number} slice @param {number} i */
   at(slice, i) {
-    const j = 2 * (slice * this.points + i);
-    return { x: this.outline[j], y: this.outline[j + 1] };
+    const whole = Math.floor(i), share = i - whole, j = 2 * (slice * this.points + whole), o = this.outline;
+    if (share === 0) return { x: o[j], y: o[j + 1] };
+    return { x: o[j] + share * (o[j + 2] - o[j]), y: o[j + 1] + share * (o[j + 3] - o[j + 1]) };
   }
 
   /** Radius of the tip circle in a slice.
@@ -149,8 +150,20 @@ export class Mesh {
     return [[l[0], l[1]], [l[l.length - 2], l[l.length - 1]]];
   }
 
+  /** The least of @p gap between two points of an outline, which has one minimum there.
+   * @param {(i: number) => number} gap @param {number} from @param {number} to */
+  leastBetween(gap, from, to) {
+    const steps = 24; // of a third each: a chord's 1e-4
+    for (let step = 0; step < steps; ++step) {
+      const third = (to - from) / 3;
+      if (gap(from + third) < gap(to - third)) to -= third;
+      else from += third;
+    }
+    return (from + to) / 2;
+  }
+
   /** The smallest gap of the flanks of all spaces in a slice, and where: the least of some points of each flank and
-   * what lies about it, where that is among the least of all.
+   * what lies about it, chords included, where that is among the least of all.
    * @param {number} slice @param {number} generator @param {number} turn */
   smallest(slice, generator, turn) {
     const parts = 16, most = 24;
@@ -172,11 +185,16 @@ export class Mesh {
     }
     found.sort((a, b) => a.gap - b.gap);
     let best = { gap: Infinity, space: 0, point: { x: 0, y: 0 } };
-    for (const { space, from, to } of found.slice(0, most))
-      for (let i = from; i <= to; ++i) {
-        const point = this.at(slice, i), gap = this.gap(point, slice, space, generator, turn);
-        if (gap < best.gap) best = { gap, space, point };
+    for (const { space, from, to } of found.slice(0, most)) {
+      const gap = (/** @type {number} */ i) => this.gap(this.at(slice, i), slice, space, generator, turn);
+      const gaps = Array.from({ length: to - from + 1 }, (_, k) => gap(from + k));
+      const middle = from + gaps.indexOf(Math.min(...gaps));
+      for (const i of [middle, this.leastBetween(gap, Math.max(from, middle - 1), middle),
+        this.leastBetween(gap, middle, Math.min(to, middle + 1))]) {
+        const least = gap(i);
+        if (least < best.gap) best = { gap: least, space, point: this.at(slice, i) };
       }
+    }
     return best;
   }
 }
