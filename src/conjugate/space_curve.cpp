@@ -59,45 +59,31 @@ ToothSpaceBoundary ToothSpaceBoundary::moved_along_normal(double distance, Toler
         throw NumericalError(ErrorCode::no_outline, "draft", near_text(at(piece, piece.begin).p),
                              "moved by " + std::to_string(distance) + " mm along its normal, " + why, remedy);
     };
-    std::vector<BoundaryPiece> before;  // as they are here, those that are left
-    std::vector<BoundaryPiece> rests;   // what does not run backwards of them, not joined yet
-    std::vector<std::uint8_t> cut;      // whether the end that faces the next piece was cut, or what lay there left out
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        BoundaryPiece const& piece = pieces_[i];
-        BoundaryPiece rest = piece;
-        Vanished vanished = moved.vanished_part(*this, rest);
-        if (vanished == Vanished::begin || vanished == Vanished::end) {
-            // what is left of it may be cut off by its neighbour as well
-            bool const begin = vanished == Vanished::begin;
-            bool const has_neighbour = begin ? !rests.empty() : i + 1 < pieces_.size();
-            if (!has_neighbour ||
-                !moved.reaches(rest, begin, begin ? rests.back() : pieces_[i + 1], std::abs(distance), tolerance))
-                vanished = Vanished::whole;
-        }
-        if (vanished != Vanished::nothing && made_by(piece).kind == OutlineKind::flank)
+    std::vector<Remainder> left;
+    for (BoundaryPiece const& piece : pieces_) {
+        Remainder next{piece, piece};
+        next.vanished = moved.vanished_part(*this, next.forward);
+        if (next.vanished != Vanished::nothing && made_by(piece).kind == OutlineKind::flank)
             refuse(piece, "the flank would fold over itself there");
-        if (!cut.empty() && (vanished == Vanished::whole || vanished == Vanished::begin))
-            cut.back() = 1;
-        if (vanished == Vanished::whole)
-            continue;
-        before.push_back(piece);
-        rests.push_back(rest);
-        cut.push_back(vanished == Vanished::end ? 1 : 0);
+        if (!left.empty() && (next.vanished == Vanished::whole || next.vanished == Vanished::begin))
+            left.back().cut = true;
+        next.rest = next.forward;
+        next.cut = next.vanished == Vanished::end;
+        if (next.vanished != Vanished::whole)
+            left.push_back(next);
     }
+    moved.cut_to_neighbours(left, std::abs(distance), tolerance);
     std::vector<BoundaryPiece> gone;
-    while (auto const none = join(before, rests, cut, moved, distance, tolerance)) {
+    while (auto const none = join(left, moved, distance, tolerance)) {
         std::size_t const i = none->piece;
         // between the tip circle and a neighbour these meet in its place, as they do where it becomes a point
-        bool const between = i > 0 && i + 1 < rests.size() && rests[i].arc >= 0;
-        bool const beside_tip = between && (rests[i - 1].arc < 0) != (rests[i + 1].arc < 0);
-        if (!beside_tip || made_by(rests[i]).kind == OutlineKind::bottom)
-            refuse(before[i], none->why);
-        auto const at_piece = static_cast<std::ptrdiff_t>(i);
-        gone.push_back(before[i]);
-        before.erase(before.begin() + at_piece);
-        rests.erase(rests.begin() + at_piece);
-        cut[i - 1] = 1;
-        cut.erase(cut.begin() + at_piece);
+        bool const between = i > 0 && i + 1 < left.size() && left[i].rest.arc >= 0;
+        bool const beside_tip = between && (left[i - 1].rest.arc < 0) != (left[i + 1].rest.arc < 0);
+        if (!beside_tip || made_by(left[i].rest).kind == OutlineKind::bottom)
+            refuse(left[i].before, none->why);
+        gone.push_back(left[i].before);
+        left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
+        left[i - 1].cut = true;
     }
     for (BoundaryPiece const& piece : gone)
         if (moved.nearest_corner_of_land(sampled(piece, tolerance.length)) < std::abs(distance) - 2 * tolerance.length)
@@ -106,29 +92,102 @@ ToothSpaceBoundary ToothSpaceBoundary::moved_along_normal(double distance, Toler
     return moved;
 }
 
+void ToothSpaceBoundary::cut_to_neighbours(std::vector<Remainder>& left, double distance,
+                                           Tolerance const& tolerance) const
+{
+    for (std::size_t i = 0; i < left.size();) {
+        Remainder& here = left[i];
+        bool const begin = here.vanished == Vanished::begin;
+        bool const has_neighbour = begin ? i > 0 : i + 1 < left.size();
+        here.rest = here.forward;
+        if (here.vanished == Vanished::nothing ||
+            (has_neighbour &&
+             reaches(here.rest, begin, begin ? left[i - 1].rest : left[i + 1].before, distance, tolerance))) {
+            ++i;
+            continue;
+        }
+        left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
+        if (i > 0)  // which may have been cut where it met this one
+            left[--i].cut = true;
+    }
+}
+
+double ToothSpaceBoundary::end_beside(BoundaryPiece const& piece, bool begin) const
+{
+    return (piece.begin < piece.end) != begin ? arc(piece).u_end : arc(piece).u_begin;
+}
+
+std::optional<BoundaryPiece> ToothSpaceBoundary::beyond(BoundaryPiece const& piece, bool begin,
+                                                        Tolerance const& tolerance) const
+{
+    if (piece.arc < 0)
+        return std::nullopt;
+    bool const up = (piece.begin < piece.end) != begin;  // whether the piece leaves its arc there where u is largest
+    double const u = end_beside(piece, begin);
+    envelope::EnvelopePoint const here = envelope_.point(arc(piece), u);
+    for (std::size_t k = 0; k < arcs_.size(); ++k) {
+        envelope::ContactArc const& next = arcs_[k];
+        double const near = up ? next.u_begin : next.u_end;
+        if (static_cast<int>(k) == piece.arc || std::abs(near - u) * tolerance.scale > tolerance.coincidence())
+            continue;
+        envelope::EnvelopePoint const there = envelope_.point(next, near);
+        double const far = up ? next.u_end : next.u_begin;
+        if ((there.p - here.p).norm() <= tolerance.coincidence() && there.n.dot(here.n) > 0)
+            return BoundaryPiece{static_cast<int>(k), piece.copy, begin ? far : near, begin ? near : far};
+    }
+    return std::nullopt;
+}
+
+bool ToothSpaceBoundary::extend(std::vector<Remainder>& left, std::size_t i, ToothSpaceBoundary const& moved,
+                                double distance, Tolerance const& tolerance) const
+{
+    for (bool const begin : {false, true}) {
+        Remainder& here = left[begin ? i + 1 : i];
+        auto const more = beyond(here.before, begin, tolerance);
+        if (!more)
+            continue;
+        Remainder next{*more, *more, Vanished::nothing, !begin, *more};
+        (begin ? next.rest.begin : next.rest.end) = begin ? more->end : more->begin;  // where it is known to be
+        BoundaryPiece reached = next.rest;
+        BoundaryPiece other = left[begin ? i : i + 1].rest;
+        if (!(begin ? moved.meet(other, reached, std::abs(distance), tolerance)
+                    : moved.meet(reached, other, std::abs(distance), tolerance)))
+            continue;
+        for (BoundaryPiece* whole : {&here.before, &here.rest})
+            (begin ? whole->begin : whole->end) = end_beside(here.before, begin);
+        left[i].cut = begin;  // the corner is where the new piece meets the other
+        left.insert(left.begin() + static_cast<std::ptrdiff_t>(i + 1), next);
+        return true;
+    }
+    return false;
+}
+
 /// Cuts or extends the moved pieces to where they meet.
-std::optional<ToothSpaceBoundary::NoPlace> ToothSpaceBoundary::join(std::vector<BoundaryPiece> const& before,
-                                                                    std::vector<BoundaryPiece> const& rests,
-                                                                    std::vector<std::uint8_t> const& cut,
+std::optional<ToothSpaceBoundary::NoPlace> ToothSpaceBoundary::join(std::vector<Remainder>& left,
                                                                     ToothSpaceBoundary& moved, double distance,
                                                                     Tolerance const& tolerance) const
 {
     std::vector<BoundaryPiece>& after = moved.pieces_;
-    after = rests;
+    after.clear();
+    for (Remainder const& each : left)
+        after.push_back(each.rest);
     auto const is_land = [&](std::size_t i) { return i < after.size() && after[i].arc < 0; };
     for (std::size_t i = 0; i + 1 < after.size(); ++i) {
         // normals that agree to this come from one contact that goes on over a joint of the profile, or from the cut at
         // x = 0
         constexpr double smooth = 0x1p-20;
-        Vec2 const n = at(before[i], before[i].end).n;
-        Vec2 const next = at(before[i + 1], before[i + 1].begin).n;
-        bool const corner = cut[i] != 0 || std::abs(cross(n, next)) > smooth || n.dot(next) < 0;
-        if (corner && !moved.meet(after[i], after[i + 1], std::abs(distance), tolerance))
-            return NoPlace{is_land(i) || (!is_land(i + 1) && is_land(i + 2)) ? i + 1 : i,
-                           "neighbouring parts of the outline would no longer meet there"};
+        Vec2 const n = at(left[i].before, left[i].before.end).n;
+        Vec2 const next = at(left[i + 1].before, left[i + 1].before.begin).n;
+        bool const corner = left[i].cut || std::abs(cross(n, next)) > smooth || n.dot(next) < 0;
+        if (!corner || moved.meet(after[i], after[i + 1], std::abs(distance), tolerance))
+            continue;
+        if (extend(left, i, moved, distance, tolerance))
+            return join(left, moved, distance, tolerance);
+        return NoPlace{is_land(i) || (!is_land(i + 1) && is_land(i + 2)) ? i + 1 : i,
+                       "neighbouring parts of the outline would no longer meet there"};
     }
     for (std::size_t i = 0; i < after.size(); ++i) {
-        double const was = before[i].end - before[i].begin;
+        double const was = left[i].before.end - left[i].before.begin;
         double const is = after[i].end - after[i].begin;
         if (std::signbit(was) != std::signbit(is) && was != 0)
             return NoPlace{i, "a part of the outline would vanish"};

@@ -91,22 +91,45 @@ class ToothSpaceBoundary
         whole
     };
     [[nodiscard]] Vanished vanished_part(ToothSpaceBoundary const& base, BoundaryPiece& piece) const;
+    /// What is left of a piece of the boundary when this moves.
+    struct Remainder
+    {
+        BoundaryPiece before;   ///< where it was
+        BoundaryPiece forward;  ///< what does not run backwards
+        Vanished vanished = Vanished::nothing;
+        bool cut = false;         ///< whether its end that faces the next piece was cut, or what lay there left out
+        BoundaryPiece rest = {};  ///< of what runs forward, cut to its neighbour
+    };
+    /// Cuts what is left of pieces that vanished in part to where they meet their neighbours. One that meets none is
+    /// left out.
+    void cut_to_neighbours(std::vector<Remainder>& left, double distance, Tolerance const& tolerance) const;
     /// Whether what is left of a piece meets @p neighbour; cuts it there.
     [[nodiscard]] bool reaches(BoundaryPiece& rest, bool begin, BoundaryPiece const& neighbour, double distance,
                                Tolerance const& tolerance) const;
     /// @return whether they do
-    bool meet(BoundaryPiece& before, BoundaryPiece& after, double distance, Tolerance const& tolerance) const;
+    [[nodiscard]] bool meet(BoundaryPiece& before, BoundaryPiece& after, double distance,
+                            Tolerance const& tolerance) const;
     /// A piece that is not left between its neighbours.
     struct NoPlace
     {
         std::size_t piece = 0;
         std::string why;
     };
-    /// Writes @p rests into @p moved, each cut or extended to where it meets the next. @return the first that has no
-    /// place
-    std::optional<NoPlace> join(std::vector<BoundaryPiece> const& before, std::vector<BoundaryPiece> const& rests,
-                                std::vector<std::uint8_t> const& cut, ToothSpaceBoundary& moved, double distance,
+    /// Writes what is @p left into @p moved, each piece cut or extended to where it meets the next. @return the first
+    /// that has no place
+    std::optional<NoPlace> join(std::vector<Remainder>& left, ToothSpaceBoundary& moved, double distance,
                                 Tolerance const& tolerance) const;
+    /// Where the arc of @p piece ends beside its begin or its end.
+    [[nodiscard]] double end_beside(BoundaryPiece const& piece, bool begin) const;
+    /// The arc on which the boundary of @p piece goes on where the piece's own arc ends, as at a knot of a wave
+    /// generator's curve: whole, in the piece's direction.
+    /// @param begin  whether the piece begins there
+    [[nodiscard]] std::optional<BoundaryPiece> beyond(BoundaryPiece const& piece, bool begin,
+                                                      Tolerance const& tolerance) const;
+    /// Puts between the pieces @p i and i + 1 of what is @p left what lies beyond one of them, where it meets the other
+    /// one. @return whether it does
+    [[nodiscard]] bool extend(std::vector<Remainder>& left, std::size_t i, ToothSpaceBoundary const& moved,
+                              double distance, Tolerance const& tolerance) const;
     /// Distance of the nearest corner of a land [mm].
     [[nodiscard]] double nearest_corner_of_land(envelope::SampledArc const& from) const;
     [[nodiscard]] TurnedArc<motion::AnyMotion> turned(BoundaryPiece const& piece) const

@@ -15,11 +15,11 @@ namespace hdconj::test::space_curve_cases {
 
 namespace {
 
-/// The boundary of the built-in drive's tooth space, with what it is made of.
+/// The boundary of a drive's tooth space, with what it is made of.
 struct Boundary
 {
-    explicit Boundary(std::vector<std::string> const& keys = {})
-        : drive(builtin_scene(keys), 1), clock(out.plan, observer)
+    explicit Boundary(std::vector<std::string> const& keys = {}) : Boundary(builtin_scene(keys)) {}
+    explicit Boundary(Scene const& scene) : drive(scene, 1), clock(out.plan, observer)
     {
         out.scene = drive.scene;
         out.plan = make_plan(out.scene);
@@ -72,6 +72,29 @@ double check_parallel(std::vector<Vec2> const& base, std::vector<Vec2> const& po
 
 }  // namespace
 
+namespace {
+
+/// Checks the boundary @p b moved by @p distance: parallel to where it was, without a gap.
+void check_moved(Boundary const& b, std::vector<Vec2> const& base, double distance, double chord)
+{
+    INFO("distance " << distance);
+    conjugate::ToothSpaceBoundary const moved = b.curve->moved_along_normal(distance, b.drive.context->tolerance);
+    CHECK(moved.tip_radius() == b.curve->tip_radius() + distance);
+    CHECK(moved.offset() == Approx(distance).epsilon(1e-14));
+    auto const& pieces = moved.pieces();
+    for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
+        // corners are where both pieces end
+        CHECK((moved.at(pieces[i], pieces[i].end).p - moved.at(pieces[i + 1], pieces[i + 1].begin).p).norm() < 1e-10);
+    }
+    double const furthest = check_parallel(base, points_of(moved, chord), std::abs(distance), chord);
+    // a mitre of two stretches that turn by less than 90 degrees
+    CHECK(furthest < 1.42 * std::abs(distance) + 1.1 * chord);
+    for (conjugate::BoundaryPiece const& piece : pieces)
+        CHECK(moved.made_by(piece).segment >= -1);
+}
+
+}  // namespace
+
 TEST_CASE("boundary moved along its normal is everywhere that far from where it was", "[space_curve]")
 {
     Boundary const b;
@@ -80,23 +103,22 @@ TEST_CASE("boundary moved along its normal is everywhere that far from where it 
     // into the material, and out of it by less and by more than the sharpest turn of the tip corner's path, which is
     // then swallowed
     for (double const distance : {1e-6, 1e-3, 0.01, 0.03, -1e-6, -1e-4, -5e-4, -1e-3, -1.3e-3, -1.5e-3, -1.7e-3,
-                                  -1.8e-3, -1.9e-3, -2e-3, -3e-3, -0.0122, -0.03}) {
-        INFO("distance " << distance);
-        conjugate::ToothSpaceBoundary const moved = b.curve->moved_along_normal(distance, b.drive.context->tolerance);
-        CHECK(moved.tip_radius() == b.curve->tip_radius() + distance);
-        CHECK(moved.offset() == Approx(distance).epsilon(1e-14));
-        auto const& pieces = moved.pieces();
-        for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
-            // corners are where both pieces end
-            CHECK((moved.at(pieces[i], pieces[i].end).p - moved.at(pieces[i + 1], pieces[i + 1].begin).p).norm() <
-                  1e-10);
-        }
-        std::vector<Vec2> const points = points_of(moved, chord);
-        double const furthest = check_parallel(base, points, std::abs(distance), chord);
-        // a mitre of two stretches that turn by less than 90 degrees
-        CHECK(furthest < 1.42 * std::abs(distance) + 1.1 * chord);
-        for (conjugate::BoundaryPiece const& piece : pieces)
-            CHECK(moved.made_by(piece).segment >= -1);
+                                  -1.8e-3, -1.9e-3, -2e-3, -3e-3, -0.0122, -0.03})
+        check_moved(b, base, distance, chord);
+}
+
+TEST_CASE("boundary of a cam with knots is moved as far", "[space_curve]")
+{
+    // A knot cuts the path of the tip's corner, whose two parts are swallowed one after the other. With the second tip
+    // circle another knot lies where the land takes the flank's place.
+    for (char const* const tip : {"25.025", "25.0348"}) {
+        INFO("tip circle " << tip);
+        Boundary const b(read_scene(file_of("cam-table"), {std::string("circular_spline.inner_radius=") + tip}));
+        constexpr double chord = 1e-7;
+        std::vector<Vec2> const base = points_of(*b.curve, chord);
+        for (double const distance :
+             {0.0122, 1e-3, -1e-4, -1e-3, -1.06e-3, -1.2e-3, -1.527e-3, -1.8e-3, -2.4e-3, -3.2e-3, -0.0122, -0.02})
+            check_moved(b, base, distance, chord);
     }
 }
 
