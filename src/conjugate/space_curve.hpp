@@ -126,6 +126,13 @@ class ToothSpaceBoundary
     /// @param begin  whether the piece begins there
     [[nodiscard]] std::optional<BoundaryPiece> beyond(BoundaryPiece const& piece, bool begin,
                                                       Tolerance const& tolerance) const;
+    /// Whether @p gone, one of two pieces of which the first runs on into the second, may vanish beyond the other: a
+    /// part of the same stretch of the outline, or the path of a corner.
+    [[nodiscard]] bool may_go(Remainder const& gone, Remainder const& before, Remainder const& after) const;
+    /// Takes out of what is @p left the parts beside the joint of pieces @p i and i + 1 that lie beyond it, where the
+    /// curve on one side meets the other only in a part further away. @return whether it does
+    [[nodiscard]] bool shorten(std::vector<Remainder>& left, std::size_t i, ToothSpaceBoundary const& moved,
+                               double distance, Tolerance const& tolerance) const;
     /// Puts between the pieces @p i and i + 1 of what is @p left what lies beyond one of them, where it meets the other
     /// one. @return whether it does
     [[nodiscard]] bool extend(std::vector<Remainder>& left, std::size_t i, ToothSpaceBoundary const& moved,

@@ -109,15 +109,16 @@ TEST_CASE("boundary moved along its normal is everywhere that far from where it 
 
 TEST_CASE("boundary of a cam with knots is moved as far", "[space_curve]")
 {
-    // A knot cuts the path of the tip's corner, whose two parts are swallowed one after the other. With the second tip
-    // circle another knot lies where the land takes the flank's place.
-    for (char const* const tip : {"25.025", "25.0348"}) {
+    // A knot cuts the path of the tip's corner, whose two parts are swallowed one after the other. Others lie beside
+    // the place where land and flank meet, which a smaller tip circle and the move shift over them.
+    for (int i = 0; i < 9; ++i) {
+        double const tip = 25.021 + 0.0023 * i;
         INFO("tip circle " << tip);
-        Boundary const b(read_scene(file_of("cam-table"), {std::string("circular_spline.inner_radius=") + tip}));
-        constexpr double chord = 1e-7;
+        Boundary const b(read_scene(file_of("cam-table"), {"circular_spline.inner_radius=" + std::to_string(tip)}));
+        constexpr double chord = 1e-6;
         std::vector<Vec2> const base = points_of(*b.curve, chord);
-        for (double const distance :
-             {0.0122, 1e-3, -1e-4, -1e-3, -1.06e-3, -1.2e-3, -1.527e-3, -1.8e-3, -2.4e-3, -3.2e-3, -0.0122, -0.02})
+        for (double const distance : {0.0122, 4e-3, 1e-3, -1e-4, -1e-3, -1.06e-3, -1.2e-3, -1.527e-3, -1.8e-3, -2.4e-3,
+                                      -3.2e-3, -0.0122, -0.02})
             check_moved(b, base, distance, chord);
     }
 }
