@@ -122,10 +122,11 @@ struct WireFigures
 
     double face_error = 0;    ///< largest distance of the cut from the nominal faces, residuals apart, all passes
     double guide_chord = 0;   ///< chord error at the guides; in the faces it is part of face_error
-    double middle_error = 0;  ///< of the cut from the true sections between the faces, residuals apart, all passes
-    double ruling_error =
-        0;  ///< of straight lines between the faces from the true sections: that of the surface itself
-    double normal_angle = 0;           ///< largest angle between matched edges of the faces [rad]
+    double middle_error = 0;  ///< of the cut from the true sections between the faces, residuals apart, all passes;
+                              ///< NaN: not checked, the outline has no slice between its ends
+    double ruling_error = 0;  ///< of straight lines between the faces from the true sections: that of the surface
+                              ///< itself; NaN as well
+    double normal_angle = 0;  ///< largest angle between matched edges of the faces [rad]
     double constant_taper_error = 0;   ///< what a machine's constant taper (G51) would be wrong by on the flanks of the
                                        ///< upper face; NaN: not determined, such a taper cuts the flanks away
     double constant_taper_spread = 0;  ///< estimated error of that, from how it differs between neighbouring points;

@@ -10,6 +10,12 @@
 namespace hdconj {
 namespace {
 
+wedm::WireFaces faces_of(Scene const& scene, CircularSplineOutline const& outline)
+{
+    return wedm::wire_faces(outline, scene.drive.circular_spline_teeth, wedm::thickness_of(scene),
+                            wedm::has_straight_rulings(scene));
+}
+
 /// The faces that the flexspline's teeth reach without load: those of the circular spline without root clearance.
 /// Nothing where they reach the root, or cannot be solved for.
 std::optional<wedm::WireFaces> reached_faces(Scene scene)
@@ -18,8 +24,7 @@ std::optional<wedm::WireFaces> reached_faces(Scene scene)
         return {};
     scene.circular_spline.root_clearance = 0;
     try {
-        return wedm::wire_faces(solve(wire_scene(scene)).circular_spline, scene.drive.circular_spline_teeth,
-                                wedm::thickness_of(scene));
+        return faces_of(scene, solve(wire_scene(scene)).circular_spline);
     } catch (InputError const&) {
         return {};
     } catch (NumericalError const& error) {
@@ -32,8 +37,7 @@ std::optional<wedm::WireFaces> reached_faces(Scene scene)
 WireProgram spline_program(Scene const& scene, CircularSplineOutline const& outline)
 {
     wedm::check_slices(scene, outline);
-    wedm::WireJob const job(scene,
-                            wedm::wire_faces(outline, scene.drive.circular_spline_teeth, wedm::thickness_of(scene)));
+    wedm::WireJob const job(scene, faces_of(scene, outline));
     auto const passes = wedm::pitch_passes(job);
     if (wedm::leaves_too_much(job, passes))
         throw InputError(wedm::residual_fault(job, passes, reached_faces(scene)));

@@ -47,7 +47,7 @@ using WireFailures = std::vector<WireFailure>;
 [[nodiscard]] WireFailures check_sweep(WireFaces const& faces, WireProgram& program);
 
 /// True sections between the faces against the wire at their height, residuals apart; fills in middle_error and
-/// ruling_error.
+/// ruling_error, NaN where the surface between the faces is not known.
 ///
 /// Beyond the tolerance there can be two errors that no path avoids: the surface is not ruled (ruling_error), or its
 /// normal turns along a ruling by some angle a, so that a straight wire which touches at both faces cuts d (1 -

@@ -28,6 +28,7 @@ struct WireFaces
     std::vector<std::size_t> marks;       ///< land corners, flank ends, middle of the space: indices, increasing
     std::vector<char> meshing;            ///< (n) 1: on a flank
     std::vector<SectionBetween> between;  ///< of the true surface
+    bool knows_sections = true;           ///< false: no slice between two that differ, and no straight lines join them
 
     /// Number of the @p k th space that a wire meets which starts at space @p start and has the void on its left.
     [[nodiscard]] int space_in_order(int start, int k) const { return ((start + next() * k) % teeth + teeth) % teeth; }
@@ -54,7 +55,9 @@ inline void mark_flank(WireFaces& faces, std::size_t first, std::size_t last)
 /// toothing. Only one slice: both faces are that. Beyond the toothing the faces go on along the straight rulings that
 /// join its ends, and the ends are sections between the faces.
 /// @param thickness  of the workpiece, its middle at z = 0; at least that of the toothing [mm]
-[[nodiscard]] WireFaces wire_faces(CircularSplineOutline const& outline, int teeth, double thickness);
+/// @param straight   straight lines join the slices point for point, so that two alone have a section between them
+[[nodiscard]] WireFaces wire_faces(CircularSplineOutline const& outline, int teeth, double thickness,
+                                   bool straight = false);
 
 /// One pitch of the flexspline as it is made, round and without load: its tooth at the radius r_m of the neutral
 /// circle, and between two teeth the root, an arc about the axis through the lowest points of both (where they are at

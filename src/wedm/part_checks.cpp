@@ -97,6 +97,8 @@ WireFailures check_sections(WireFaces const& faces, std::vector<std::vector<char
         failure.remedy = "to accept all sections write wedm.surface_limit = " + limit_of_all;
         failure.set = "wedm.surface_limit=" + limit_of_all;
     }
+    if (!faces.knows_sections)
+        figures.middle_error = figures.ruling_error = std::numeric_limits<double>::quiet_NaN();
     return failures;
 }
 

@@ -72,6 +72,15 @@ void trim(WireFaces& faces)
     faces.pitch = trimmed.path;
 }
 
+/// The section half way between the faces where straight lines join these.
+std::vector<Vec2> middle_of(PairedPath const& pitch)
+{
+    std::vector<Vec2> points;
+    for (std::size_t i = 0; i < pitch.size(); ++i)
+        points.emplace_back(0.5 * (pitch.lower[i] + pitch.upper[i]));
+    return points;
+}
+
 /// Continues the straight rulings of @p faces from the ends of the toothing, at the heights @p first and @p last, to
 /// the faces of a workpiece of @p thickness with its middle at z = 0. The ends become sections between the faces.
 void continue_to_faces(WireFaces& faces, double first, double last, double thickness)
@@ -90,7 +99,7 @@ void continue_to_faces(WireFaces& faces, double first, double last, double thick
 
 }  // namespace
 
-WireFaces wire_faces(CircularSplineOutline const& outline, int teeth, double thickness)
+WireFaces wire_faces(CircularSplineOutline const& outline, int teeth, double thickness, bool straight)
 {
     WireFaces faces;
     faces.teeth = teeth;
@@ -111,6 +120,9 @@ WireFaces wire_faces(CircularSplineOutline const& outline, int teeth, double thi
         faces.between.push_back({(outline.z[k] - outline.z.front()) / (outline.z.back() - outline.z.front()),
                                  reversed(outline.outline[k])});
     bool const differ = outline.outline.size() > 1;
+    faces.knows_sections = outline.outline.size() != 2 || straight;
+    if (outline.outline.size() == 2 && straight)
+        faces.between.push_back({0.5, middle_of(faces.pitch)});
     if (differ && thickness - (outline.z.back() - outline.z.front()) > Tolerance{thickness, thickness}.coincidence())
         continue_to_faces(faces, outline.z.front(), outline.z.back(), thickness);
     trim(faces);

@@ -194,6 +194,14 @@ bool cuts_flexspline(Scene const& scene)
     return scene.wedm->part == WirePart::flexspline;
 }
 
+bool has_straight_rulings(Scene const& scene)
+{
+    bool const leans = tilt_of(scene) != 0;
+    // of different outlines a ruled surface alone is straight, and a tilt moves them along other radii
+    return follows_cone(scene) ? scene.slices->surface == ToothSurface::ruled && !leans
+                               : !leans || scene.tilt->kind == TiltKind::radial;
+}
+
 void check_slices(Scene const& scene, CircularSplineOutline const& outline)
 {
     double const half = toothed_width(scene) / 2, tolerance = scene.solver.tolerance;

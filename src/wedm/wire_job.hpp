@@ -38,6 +38,9 @@ void refuse_wire_faults(Scene const& scene);
 /// Thickness of the workpiece [mm]; 0: not stated.
 [[nodiscard]] double thickness_of(Scene const& scene);
 
+/// Whether straight lines join the slices of the circular spline point for point.
+[[nodiscard]] bool has_straight_rulings(Scene const& scene);
+
 /// Slices of @p outline that are not those of the toothing make another part.
 /// @throws InputError where the outer ones do not stand at the ends of the face width
 void check_slices(Scene const& scene, CircularSplineOutline const& outline);

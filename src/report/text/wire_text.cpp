@@ -130,9 +130,16 @@ void write_checks(Page& page, MeasuredProgram const& first)
     line("face_error", "apart from residual material; tolerance " + told.with_unit("tolerance"));
     line("guide_chord", "of straight moves");
     if (found.face_shift > 0) {
-        line("middle_error", "off the true sections, apart from residual material");
-        line("ruling_error", fmt::format("of the surface off straight lines ({}); matched edges turn by {}",
-                                         to_string(program.surface), told.with_unit("matched_edges_turn")));
+        std::string const edges = "matched edges turn by " + told.with_unit("matched_edges_turn");
+        if (std::isnan(found.middle_error)) {
+            page.figure(rows["middle_error"].text.label, "not checked",
+                        "the outline has no slice between its ends; solve it with slices.count = 3 or more");
+            page.figure(rows["ruling_error"].text.label, "not determined", edges);
+        } else {
+            line("middle_error", "off the true sections, apart from residual material");
+            line("ruling_error",
+                 fmt::format("of the surface off straight lines ({}); {}", to_string(program.surface), edges));
+        }
         if (std::isnan(found.constant_taper_error))
             page.figure(rows["constant_taper_error"].text.label, "not determined", "G51 would cut the flanks away");
         else

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What `hdconj wedm` says to write: each remedy is followed, and helps.
+#include <nlohmann/json.hpp>
+
+#include "cli/hdconj_run.hpp"
+#include "support/catch.hpp"
+
+namespace hdconj::test::wedm_advice_cases {
+
+using hdconj::test::Outcome;
+using hdconj::test::TemporaryFolder;
+using nlohmann::json;
+
+namespace {
+
+Outcome wedm(std::string const& arguments, TemporaryFolder const& folder)
+{
+    return hdconj::test::hdconj_run("wedm " + arguments + " --dialect csv -o cut", folder.path());
+}
+
+/// What a key of a remedy is to be: the number behind " = " or " = 0 or at least ", with a comma or another end.
+std::string advised(std::string const& text, std::string const& key, std::string const& between = " = ")
+{
+    auto const at = text.find(key + between);
+    INFO(text);
+    REQUIRE(at != std::string::npos);
+    auto const begin = at + key.size() + between.size();
+    std::string number = text.substr(begin, text.find_first_not_of("0123456789.", begin) - begin);
+    return number;
+}
+
+}  // namespace
+
+TEST_CASE("wedm of an outline of two slices checks straight rulings half way up, and says what it cannot check",
+          "[wedm]")
+{
+    TemporaryFolder const folder;
+    auto const checks = [&](std::string const& arguments) {
+        auto const done = wedm(arguments + " --json --quiet", folder);
+        REQUIRE(done.status == 0);
+        return json::parse(done.out).at("checks");
+    };
+    auto const solved = [&](std::string const& sets) {
+        REQUIRE(hdconj::test::hdconj_run("solve --set tilt.angle_deg=0.2 --set slices.count=2 -o two.h5 --quiet" + sets,
+                                         folder.path())
+                    .status == 0);
+    };
+    solved("");
+    double const three = checks("--tilt 0.2").at("middle_error_um").get<double>();
+    CHECK(three > 0.1);
+    CHECK(checks("--from two.h5").at("middle_error_um").get<double>() == Approx(three).epsilon(1e-9));
+    // a draft moves flanks along their normals, which turn
+    solved(" --set tilt.kind=draft");
+    auto const drafted = checks("--from two.h5");
+    CHECK(drafted.at("middle_error_um").is_null());
+    CHECK(drafted.at("ruling_error_um").is_null());
+    CHECK_THAT(wedm("--from two.h5", folder).out, ContainsSubstring("cut between the faces        not checked   ") &&
+                                                      ContainsSubstring("slices.count = 3 or more"));
+}
+
+}  // namespace hdconj::test::wedm_advice_cases
