@@ -3,7 +3,9 @@
 // list.
 #pragma once
 
+#include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +14,9 @@
 #include "hdconj/wedm.hpp"
 
 namespace hdconj::wedm {
+
+/// Of lengths in advice [1/mm].
+inline constexpr double told_per_mm = 1e4;
 
 /// What must not be cut so.
 struct WireFailure
@@ -84,8 +89,13 @@ void check_all(WireFaces const& faces, std::vector<std::vector<char>> const& res
 /// layer that the next one is to take.
 [[nodiscard]] std::vector<std::string> skim_warnings(WireProgram const& program);
 
-/// Blocks that the tolerance leaves shorter than least_block(), in words.
-[[nodiscard]] std::vector<std::string> short_block_warnings(WireProgram const& program);
+/// Fewest decimals, more than those of the program, with which no block along the contour of a pass is shorter than
+/// least_block(); nothing where there are none.
+using FittingDecimals = std::function<std::optional<int>(WirePass const&)>;
+
+/// Blocks that are shorter than least_block(), in words, with the keys that make them longer.
+[[nodiscard]] std::vector<std::string> short_block_warnings(WireProgram const& program,
+                                                            FittingDecimals const& fitting = {});
 
 /// Every tooth space is cut as the first one of the pass is, turned: nominal contour and guides of all passes without
 /// stop and overlap points.

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "checks.hpp"
+#include "hdconj/scene/schema.hpp"
 #include "offset_path.hpp"
 #include "passes.hpp"
 
@@ -16,9 +18,6 @@ namespace {
 /// Wires on sale: multiples of this, none thinner than that [mm].
 constexpr double wire_step = 0.01;
 constexpr double thinnest_wire = 0.02;
-
-/// Of lengths in advice [1/mm].
-constexpr double told_per_mm = 1e4;
 
 CutRadius cut_radius(WireJob const& job, double offset)
 {
@@ -40,16 +39,37 @@ std::optional<double> fitting_wire(WireJob const& job)
     return {};
 }
 
-/// The points of @p fine that the wire moves between, no shorter than least_block() where the tolerance allows it.
-std::vector<std::size_t> moves_along(WireJob const& job, PairedPath const& fine)
+/// The pass at @p offset, in points far closer than the wire needs.
+PairedPath fine_path(WireJob const& job, double offset)
+{
+    PairedPath const contour{with_neighbours(job.faces.pitch.lower, job.faces, 1),
+                             with_neighbours(job.faces.pitch.upper, job.faces, 1)};
+    return offset_path(contour, offset, share_of_arcs * job.wire.tolerance, job.machine.thickness);
+}
+
+/// Points of a path that the wire moves between.
+struct Moves
+{
+    std::vector<std::size_t> kept;
+    bool are_long = true;  ///< none is shorter than least_block()
+};
+
+/// Those of @p fine, no shorter than least_block() where the tolerance allows it.
+Moves moves_along(WireJob const& job, PairedPath const& fine)
 {
     double const tolerance = share_of_moves * job.wire.tolerance, least = least_block(job.wire.decimals);
     auto const is_short = [&](std::size_t a, std::size_t b) {
         return shortest_plane(job.machine, {fine.lower[a], fine.upper[a]}, {fine.lower[b], fine.upper[b]}) < least;
     };
-    std::vector<std::size_t> const kept = thinned(fine, tolerance);
-    return std::ranges::adjacent_find(kept, is_short) == kept.end() ? kept
-                                                                    : thinned_to_long_moves(fine, tolerance, is_short);
+    auto const are_long = [&](std::vector<std::size_t> const& kept) {
+        return std::ranges::adjacent_find(kept, is_short) == kept.end();
+    };
+    std::vector<std::size_t> kept = thinned(fine, tolerance);
+    if (are_long(kept))
+        return {std::move(kept)};
+    kept = thinned_to_long_moves(fine, tolerance, is_short);
+    bool const all = are_long(kept);
+    return {std::move(kept), all};
 }
 
 /// Least distance of what @p pass leaves from where the teeth come, if it is above the tolerance.
@@ -65,14 +85,11 @@ std::optional<double> way_of_teeth(WireJob const& job, PitchPass const& pass, Wi
 PitchPass pitch_pass(WireJob const& job, double wire_diameter, double stock)
 {
     WireFaces const& faces = job.faces;
-    double const tolerance = job.wire.tolerance;
     PitchPass pass;
     pass.stock = stock;
     pass.offset = wire_diameter / 2 + job.wire.spark_gap + stock;
-    PairedPath const contour{with_neighbours(faces.pitch.lower, faces, 1),
-                             with_neighbours(faces.pitch.upper, faces, 1)};
-    PairedPath const fine = offset_path(contour, pass.offset, share_of_arcs * tolerance, job.machine.thickness);
-    std::vector<std::size_t> const kept = moves_along(job, fine);
+    PairedPath const fine = fine_path(job, pass.offset);
+    std::vector<std::size_t> const kept = moves_along(job, fine).kept;
     pass.path = taken(fine, kept);
     pass.guide_chord = guide_chord_error(fine, kept, job.machine);
     pass.uncut = uncut_of(faces, pass.path, cut_radius(job, pass.offset));
@@ -85,6 +102,15 @@ std::vector<PitchPass> pitch_passes(WireJob const& job)
     for (double const stock : job.wire.stock)
         passes.push_back(pitch_pass(job, job.wire.wire_diameter, stock));
     return passes;
+}
+
+std::optional<int> fitting_decimals(WireJob job, double offset)
+{
+    PairedPath const fine = fine_path(job, offset);
+    while (++job.wire.decimals <= scene::bounds::most_decimals)
+        if (moves_along(job, fine).are_long)
+            return job.wire.decimals;
+    return {};
 }
 
 bool leaves_too_much(WireJob const& job, std::vector<PitchPass> const& passes)

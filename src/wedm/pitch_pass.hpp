@@ -30,6 +30,10 @@ struct PitchPass
 /// All passes of @p job.
 [[nodiscard]] std::vector<PitchPass> pitch_passes(WireJob const& job);
 
+/// Fewest decimals, more than those of @p job, with which no move of its pass at @p offset is shorter than
+/// least_block(); nothing where there are none.
+[[nodiscard]] std::optional<int> fitting_decimals(WireJob job, double offset);
+
 /// Whether the last of @p passes leaves more than wedm.residual_limit.
 [[nodiscard]] bool leaves_too_much(WireJob const& job, std::vector<PitchPass> const& passes);
 

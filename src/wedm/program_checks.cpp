@@ -11,7 +11,6 @@
 #include "checks.hpp"
 #include "hdconj/base/tolerance.hpp"
 #include "hdconj/error.hpp"
-#include "hdconj/units.hpp"
 #include "passes.hpp"
 #include "segment_grid.hpp"
 
@@ -194,37 +193,6 @@ std::vector<std::string> skim_warnings(WireProgram const& program)
                 fmt::format("pass {} leaves up to {:.6g} mm on top of its stock where it cannot follow the contour, "
                             "more than the layer of {:.6g} mm that pass {} is to take: there it cuts {:.6g} mm deep",
                             pass.number, highest, layer, next.number, highest + layer));
-    }
-    return warnings;
-}
-
-/// Largest angle by which rounding turns a block of @p length whose ends are each half a @p unit off along both axes
-/// [rad]: then they are off by sqrt(2) units against each other, and a block that is no longer may point anywhere.
-double largest_turn(double length, double unit)
-{
-    double const off = std::numbers::sqrt2 * unit;
-    return off < length ? std::asin(off / length) : std::numbers::pi;
-}
-
-std::vector<std::string> short_block_warnings(WireProgram const& program)
-{
-    double const least = least_block(program.decimals), unit = least / least_units;
-    std::vector<std::string> warnings;
-    for (WirePass const& pass : program.passes) {
-        std::size_t count = 0;
-        double shortest = least;
-        for (std::size_t i = 1; i < pass.moves.size(); ++i) {
-            WireMove const &a = pass.moves[i - 1], &b = pass.moves[i];
-            double const length = shortest_plane(program.machine, {a.lower, a.upper}, {b.lower, b.upper});
-            count += length < least ? 1 : 0;
-            shortest = std::min(shortest, length);
-        }
-        if (count > 0)
-            warnings.push_back(fmt::format(
-                "{} blocks of pass {} are shorter than {:g} units of the last digit in a face or at a guide, down to "
-                "{:.3g} mm: rounding turns that one by up to {:.3g} deg; write a larger wedm.decimals, or a coarser "
-                "wedm.tolerance where wedm.surface_limit leaves room for it",
-                count, pass.number, least_units, shortest, largest_turn(shortest, unit) / deg));
     }
     return warnings;
 }

@@ -117,7 +117,9 @@ WireProgram set_up_program(WireJob const& job, std::vector<PitchPass> const& pas
     check_all(job.faces, uncut_at, std::max(job.wire.surface_limit.value_or(0), job.wire.tolerance),
               limits_of(job.wire), program);
     program.warnings = skim_warnings(program);
-    std::ranges::copy(short_block_warnings(program), std::back_inserter(program.warnings));
+    std::ranges::copy(
+        short_block_warnings(program, [&](WirePass const& pass) { return fitting_decimals(job, pass.offset); }),
+        std::back_inserter(program.warnings));
     return program;
 }
 

@@ -58,4 +58,26 @@ TEST_CASE("wedm of an outline of two slices checks straight rulings half way up,
                                                       ContainsSubstring("slices.count = 3 or more"));
 }
 
+TEST_CASE("wedm names the key that makes a block too short for rounding, and what makes it long", "[wedm]")
+{
+    TemporaryFolder const folder;
+    std::string const told = "units of the last digit in a face";
+    for (std::string const key : {"wedm.overlap", "wedm.stop_before"}) {
+        INFO(key);
+        std::string const text = wedm("--set " + key + "=0.0001", folder).out;
+        CHECK_THAT(text, ContainsSubstring("1 block of pass 1 is shorter than 20 units"));
+        CHECK(text.find("or a coarser wedm.tolerance") == std::string::npos);
+        for (std::string const& length : {std::string("0"), advised(text, key, " = 0 or at least ")})
+            CHECK(wedm("--set " + key + "=" + length, folder).out.find(told) == std::string::npos);
+    }
+    // a drafted corner is a point in the lower face and an arc in the upper one
+    std::string const drafted =
+        "--tilt 0.1 --set tilt.kind=draft --set circular_spline.root_clearance=0.02 --set wedm.residual_limit=0.06 "
+        "--set wedm.tolerance=0.0008";
+    std::string const decimals = advised(wedm(drafted, folder).out, "wedm.decimals");
+    CHECK(decimals == "6");
+    CHECK_THAT(wedm(drafted + " --decimals 5", folder).out, ContainsSubstring(told));
+    CHECK(wedm(drafted + " --decimals 6", folder).out.find(told) == std::string::npos);
+}
+
 }  // namespace hdconj::test::wedm_advice_cases
