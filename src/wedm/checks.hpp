@@ -72,6 +72,7 @@ struct MachineLimits
     double travel =
         std::numeric_limits<double>::infinity();  ///< of each axis of each guide from the start hole, either way [mm]
     double uv_travel = std::numeric_limits<double>::infinity();  ///< of each upper axis against the lower [mm]
+    double lead_in = 0;  ///< of the program, for what to write in its place [mm]
 };
 
 /// The figures that can be measured (measured()) against the limits.

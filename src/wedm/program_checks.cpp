@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numbers>
+
+#include <Eigen/Geometry>
 
 #include "checks.hpp"
 #include "hdconj/base/tolerance.hpp"
@@ -67,6 +69,54 @@ void check_ends(WirePass const& pass, bool closed, WireFailures& failures)
     if (closed && open)
         fail(fmt::format("does not close: from {} to {}", place_text(path.front().lower),
                          place_text(path.back().lower)));
+}
+
+/// The next length that is told, above @p length by more than its rounding [mm].
+double told_above(double length)
+{
+    return (std::floor(length * told_per_mm) + 1) / told_per_mm;
+}
+
+/// Where guides come along the part.
+Eigen::AlignedBox2d reach_of(WireProgram const& program)
+{
+    Eigen::AlignedBox2d reach;
+    for (WirePass const& pass : program.passes)
+        for (std::size_t i = 1; i + 1 < pass.moves.size(); ++i) {
+            WirePoints const guides = guides_of(program.machine, {pass.moves[i].lower, pass.moves[i].upper});
+            reach.extend(guides.lower).extend(guides.upper);
+        }
+    return reach;
+}
+
+/// A machine that travels far enough; in a ring also the shortest lead-in that is enough for the machine, or, where
+/// none is, the travel from the axis, which is the least.
+void add_travel_remedy(MachineLimits const& limits, WireProgram const& program, WireFailure& failure)
+{
+    failure.remedy = fmt::format("write at least wedm.largest_travel = {:.7g} for a machine that has it",
+                                 told_above(program.figures.travel));
+    if (program.external)
+        return;
+    std::vector<WireMove> const& moves = program.passes.front().moves;
+    Vec2 const land = moves[1].lower.normalized();
+    Eigen::AlignedBox2d const reach = reach_of(program);
+    std::array const furthest{reach.max().x(), reach.max().y(), -reach.min().x(), -reach.min().y()};
+    std::array const nearer{-land.x(), -land.y(), land.x(), land.y()};  // per length from the axis to the start hole
+    double const on_axis = limits.lead_in + moves.front().lower.dot(land);
+    constexpr double beside = 2 / told_per_mm;  // the axis, so that the lead-in is not told as longer than up to it
+    double const least = told_above(*std::ranges::max_element(furthest) + beside);
+    if (limits.travel < least) {
+        failure.remedy += fmt::format("; with the start hole on the axis, wedm.lead_in = {:.7g}, {:.7g} is enough",
+                                      told_above(on_axis - beside), least);
+        return;
+    }
+    double from_axis = on_axis;
+    for (std::size_t k = 0; k < furthest.size(); ++k)
+        if (nearer[k] > 0)
+            from_axis = std::min(from_axis, (limits.travel - furthest[k]) / nearer[k]);
+    std::string const lead_in = fmt::format("{:.7g}", told_above(on_axis - from_axis));
+    failure.remedy += fmt::format(", or wedm.lead_in = {}, which starts nearer to the axis", lead_in);
+    failure.set = "wedm.lead_in=" + lead_in;
 }
 
 /// Throws if there are @p failures.
@@ -156,14 +206,16 @@ WireFailures check_machine(MachineLimits const& limits, WireProgram& program)
     WireFailures failures;
     auto const check = [&](double figure, double limit, char const* what) {
         if (figure > limit)
-            failures.push_back("machine: " + fmt::format(fmt::runtime(what), figure, limit));
+            failures.emplace_back("machine: " + fmt::format(fmt::runtime(what), figure, limit));
     };
     check(figures.tilt, limits.tilt,
           "the wire would be tilted by {:.6g} rad, and the machine tilts it by {:.6g} rad at most "
           "(wedm.largest_tilt_deg)");
     check(figures.travel, limits.travel,
           "a guide would travel {:.6g} mm from the start hole, and the machine {:.6g} mm at most "
-          "(wedm.largest_travel); inside a ring a longer wedm.lead_in, which starts nearer to the axis, needs less");
+          "(wedm.largest_travel)");
+    if (figures.travel > limits.travel)
+        add_travel_remedy(limits, program, failures.back());
     check(figures.uv_travel, limits.uv_travel,
           "the upper guide would stand {:.6g} mm off the lower one along an axis, and the machine moves it by {:.6g} "
           "mm at most (wedm.largest_uv_travel)");

@@ -96,7 +96,8 @@ void add_pass(WireProgram& program, WireFaces const& faces, PitchPass const& pit
 MachineLimits limits_of(WireRequest const& wire)
 {
     constexpr double no_limit = std::numeric_limits<double>::infinity();
-    return {wire.largest_tilt, wire.largest_travel.value_or(no_limit), wire.largest_uv_travel.value_or(no_limit)};
+    return {wire.largest_tilt, wire.largest_travel.value_or(no_limit), wire.largest_uv_travel.value_or(no_limit),
+            wire.lead_in};
 }
 
 }  // namespace

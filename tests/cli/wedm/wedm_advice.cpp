@@ -80,4 +80,21 @@ TEST_CASE("wedm names the key that makes a block too short for rounding, and wha
     CHECK(wedm(drafted + " --decimals 6", folder).out.find(told) == std::string::npos);
 }
 
+TEST_CASE("wedm says how far a machine has to travel, and which lead-in is enough for it", "[wedm]")
+{
+    TemporaryFolder const folder;
+    auto const within = [&](std::string const& travel, std::string const& lead_in) {
+        return wedm("--quiet --set wedm.largest_travel=" + travel + " --set wedm.lead_in=" + lead_in, folder);
+    };
+    std::string const narrow = within("10", "3").err, wide = within("30", "3").err;
+    std::string const on_axis = advised(narrow, "wedm.lead_in");
+    std::string const least = advised(narrow, on_axis + ",", " ");
+    CHECK(within(least, on_axis).status == 0);
+    CHECK(within(std::to_string(std::stod(least) - 0.001), on_axis).status == 1);
+    std::string const lead_in = advised(wide, "wedm.lead_in");
+    CHECK(within("30", lead_in).status == 0);
+    CHECK(within("30", std::to_string(std::stod(lead_in) - 0.001)).status == 1);
+    CHECK(within(advised(narrow, "write at least wedm.largest_travel"), "3").status == 0);
+}
+
 }  // namespace hdconj::test::wedm_advice_cases
