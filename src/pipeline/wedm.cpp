@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/wedm.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
 #include "hdconj/judgement.hpp"
+#include "hdconj/scene/reading.hpp"
 #include "hdconj/solve.hpp"
 #include "wedm/faces.hpp"
 #include "wedm/pitch_pass.hpp"
@@ -34,9 +42,72 @@ std::optional<wedm::WireFaces> reached_faces(Scene scene)
     }
 }
 
+/// Whether a workpiece of @p thickness with the toothing of @p outline can be cut.
+bool can_be_cut(Scene scene, CircularSplineOutline const& outline, double thickness)
+{
+    scene.wedm->thickness = thickness;
+    wedm::WireJob const job(scene, faces_of(scene, outline));
+    auto const passes = wedm::pitch_passes(job);
+    if (wedm::leaves_too_much(job, passes))
+        return false;
+    try {
+        (void)wedm::set_up_program(job, passes, {});
+    } catch (NumericalError const& error) {
+        if (error.code() != ErrorCode::failed_check)
+            throw;
+        return false;
+    }
+    return true;
+}
+
+/// Thickest workpiece, at least @p width and less than @p most, that can be cut, in whole mm; 0 where none can be.
+double largest_thickness(Scene const& scene, CircularSplineOutline const& outline, double width, double most)
+{
+    double low = std::ceil(width), high = std::floor(most);
+    if (!(low < high) || !can_be_cut(scene, outline, low))
+        return 0;
+    // doubled first: a thickness far beyond the largest takes long to refuse
+    while (2 * low < high && can_be_cut(scene, outline, 2 * low))
+        low *= 2;
+    high = std::min(high, 2 * low);
+    while (high - low > 1) {
+        double const middle = std::floor((low + high) / 2);
+        (can_be_cut(scene, outline, middle) ? low : high) = middle;
+    }
+    return low;
+}
+
+/// @throws InputError where straight rulings meet at the axis before they reach a face of the workpiece
+void refuse_crossed_axis(Scene const& scene, CircularSplineOutline const& outline)
+{
+    Vec2 const first = outline.outline.front().front(), last = outline.outline.back().front();
+    if (outline.outline.size() == 1)
+        return;
+    // the land's middle stands on one radius in all sections
+    Vec2 const axis = (first.norm() > last.norm() ? first : last).normalized();
+    double const thickness = wedm::thickness_of(scene), middle = 0.5 * axis.dot(first + last),
+                 slope = axis.dot(last - first) / (outline.z.back() - outline.z.front());
+    double const tip = middle - 0.5 * std::abs(slope) * thickness;
+    if (tip > 0)
+        return;
+    double const width = scene.circular_spline.width.value_or(thickness);
+    double const largest =
+        thickness > width ? largest_thickness(scene, outline, width, 2 * middle / std::abs(slope)) : 0;
+    std::string const limit = fmt::format("{:.6g}", largest);
+    Faults faults{{scene.wedm->thickness ? "wedm.thickness" : "circular_spline.width", 0, "",
+                   fmt::format("the tilt would take the tip circle of the {} face to {:.4g} mm, beyond the axis",
+                               slope > 0 ? "lower" : "upper", tip),
+                   "write " + (largest > 0 ? "at most " + limit : "a smaller one") + ", or a smaller tilt"}};
+    if (largest > 0)
+        faults.front().set = {"wedm.thickness=" + limit};
+    scene::locate(faults, scene);
+    throw InputError(std::move(faults));
+}
+
 WireProgram spline_program(Scene const& scene, CircularSplineOutline const& outline)
 {
     wedm::check_slices(scene, outline);
+    refuse_crossed_axis(scene, outline);
     wedm::WireJob const job(scene, faces_of(scene, outline));
     auto const passes = wedm::pitch_passes(job);
     if (wedm::leaves_too_much(job, passes))

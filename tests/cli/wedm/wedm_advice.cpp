@@ -80,6 +80,20 @@ TEST_CASE("wedm names the key that makes a block too short for rounding, and wha
     CHECK(wedm(drafted + " --decimals 6", folder).out.find(told) == std::string::npos);
 }
 
+TEST_CASE("wedm says first that a leaning wire would cross the axis, and how thick the workpiece may be", "[wedm]")
+{
+    TemporaryFolder const folder;
+    std::string const tilted = "--tilt 20 --quiet --set wedm.thickness=";
+    auto const refused = wedm(tilted + "250", folder);
+    CHECK(refused.status == 2);
+    // 25.025 - 125 tan(20 deg)
+    CHECK_THAT(refused.err, ContainsSubstring("tip circle of the lower face to -20.47 mm, beyond the axis"));
+    CHECK(refused.err.size() < 300);
+    std::string const most = advised(refused.err, "write at most", " ");
+    CHECK(wedm(tilted + most, folder).status == 0);
+    CHECK(wedm(tilted + std::to_string(std::stod(most) + 1), folder).status != 0);
+}
+
 TEST_CASE("wedm says how far a machine has to travel, and which lead-in is enough for it", "[wedm]")
 {
     TemporaryFolder const folder;
