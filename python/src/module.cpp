@@ -67,6 +67,20 @@ void translate(std::exception_ptr const& thrown, void*)
     }
 }
 
+/// The CSV files that a scene names: by the path of the key the name, and what the file held; None: it was not read.
+nb::dict files_of(SceneHandle const& scene)
+{
+    nb::dict found;
+    for (auto const& [path, name] : scene.file_names()) {
+        auto const file = scene.as_read().files.find(name);
+        nb::object content = nb::none();
+        if (file != scene.as_read().files.end() && file->second != nullptr)
+            content = nb::bytes(file->second->data(), file->second->size());
+        found[text_of(path)] = nb::make_tuple(text_of(name), content);
+    }
+    return found;
+}
+
 /// As `hdconj check --json --for VERB`.
 nb::str check_text(SceneHandle const& scene, std::string const& name, std::string const& verb)
 {
@@ -99,6 +113,7 @@ void add_scene(nb::module_& module)
         .def_static("parse", &SceneHandle::parse, "text"_a, "name"_a, "folder"_a, "overrides"_a)
         .def_prop_ro("faults", [](SceneHandle const& scene) { return faults_tuple(scene.faults()); })
         .def_prop_ro("text", [](SceneHandle const& scene) { return text_of(scene.as_read().text); })
+        .def_prop_ro("files", files_of)
         .def_prop_ro("name", [](SceneHandle const& scene) { return text_of(scene.as_read().drive.name); })
         .def("check_json", check_text, "name"_a, "verb"_a);
     module.def("keep_elastic_bodies", keep_elastic_bodies, "count"_a);

@@ -25,6 +25,8 @@ class SceneHandle
     [[nodiscard]] Faults const& faults() const { return reading_.faults; }
     /// As far as it could be read.
     [[nodiscard]] Scene const& as_read() const { return reading_.scene; }
+    /// Names of CSV files in it, by the paths of their keys.
+    [[nodiscard]] auto const& file_names() const { return reading_.file_names; }
     /// @throws InputError where there are faults
     [[nodiscard]] Scene const& sound() const;
 

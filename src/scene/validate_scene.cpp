@@ -38,6 +38,8 @@ std::optional<Parameter> take_value(Validation& validation, TableSpec const& tab
     std::string const path = join(table.path, spec.key);
     validation.attempted.insert(path);
     validation.reading.scene.given[path] = {entry.line, entry.value.written};
+    if (entry.value.kind == Kind::text && (spec.quantity == Quantity::file || takes_file(spec)))
+        validation.reading.file_names[path] = entry.value.text;
     auto verdict = validate_value(spec, example, entry, spelled, validation.reading.scene);
     if (auto* const faults = std::get_if<Faults>(&verdict)) {
         std::move(faults->begin(), faults->end(), std::back_inserter(validation.reading.faults));

@@ -489,6 +489,54 @@ def test_the_folder_has_the_files_that_the_scene_names(scheduler, tmp_path):
     assert hdconj.solve(best).figures["space_depth"].value == max(depth)
 
 
+TEETH = """
+scene = "scenes/drive.toml"
+[set]
+"errors.profile_form" = "form.csv"
+[vary]
+"errors.flexspline.pitch" = { list = ["teeth.csv", 'b/teeth.csv'] }
+[sample]
+method = "grid"
+[figures]
+depth = "solve.space_depth"
+[objectives]
+depth = "max"
+"""
+
+
+def test_every_key_that_names_a_file_is_one_of_the_study(scheduler, tmp_path):
+    """The scene's schema says which they are: here an error of the profile, and one of the teeth."""
+    scenes, first = tmp_path / "scenes", tmp_path / "first"
+    (scenes / "b").mkdir(parents=True)
+    (scenes / "drive.toml").write_text(hdconj.Scene().to_toml())
+    (scenes / "form.csv").write_text("height [mm],excess [um]\n-0.3,0\n-0.1,1\n0.1,2\n0.3,0\n")
+    for name, place in (("teeth.csv", 1), ("b/teeth.csv", 2)):
+        rows = (f"{tooth},{place if tooth == 1 else 0}" for tooth in range(1, 201))
+        (scenes / name).write_text("\n".join(["tooth,place [um]", *rows]))
+    file = tmp_path / "study.toml"
+    file.write_text(TEETH.replace("b/teeth", "none"))
+    with pytest.raises(hdconj.InputError) as refused:
+        study.check(file)
+    (fault,) = refused.value.faults
+    assert fault.line == 6 and fault.reason.startswith("cannot be read") and "none.csv" in fault.reason
+    file.write_text(TEETH)
+    study.run(file, first, scheduler=scheduler, progress=False)
+    found = study.open(first)
+    assert list(found.frame["code"]) == ["", ""]
+    assert len([*(first / "files").iterdir()]) == 3
+    study.open(first).folder.write_scene(tmp_path / "best.toml", found.recipe, found.values(found.frame.iloc[1]))
+    assert not hdconj.Scene.load(tmp_path / "best.toml").check()
+    for changed in ("form.csv", "b/teeth.csv"):
+        whole = (scenes / changed).read_text()
+        (scenes / changed).write_text(whole.replace("1,2", "1,3"))
+        with pytest.raises(hdconj.InputError, match="holds rows of another study"):
+            study.run(file, first, scheduler=scheduler, progress=False)
+        (scenes / changed).write_text(whole)
+    shutil.rmtree(scenes)
+    study.run(first / "study.toml", tmp_path / "second", scheduler=scheduler, progress=False)
+    assert bits(first) == bits(tmp_path / "second")
+
+
 def test_the_folder_has_the_measured_curve(scheduler, tmp_path):
     """It is found from where the study is, and decides the rows."""
     curve = np.vstack([[t / 28 * 0.1, t] for t in [*range(0, 29), *range(28, -29, -1), *range(-28, 1)]])

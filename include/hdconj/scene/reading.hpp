@@ -4,6 +4,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -32,6 +34,7 @@ struct SceneReading
     Faults faults;                             ///< in order of place
     std::set<std::string, std::less<>> known;  ///< paths whose value is in the scene: given and right, or the default
     bool geometry_known = false;               ///< all that check_scene needs is there: its faults can be found too
+    std::map<std::string, std::string, std::less<>> file_names{};  ///< of CSV files, by the paths of the keys
 };
 
 /// Validates @p root, the top table of a scene.

@@ -6,38 +6,18 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import Any
 
 from .._scene import Scene, quoted
-from ._keys import Key
 
 FOLDER = "files"  # of the copies, in that of the study
 
 
-def _named(tables: Mapping[str, Any], before: str = "") -> Iterator[tuple[str, str]]:
-    """Keys of a scene that name a file, and the names."""
-    for word, item in tables.items():
-        if isinstance(item, dict):
-            yield from _named(item, f"{before}{word}.")
-        elif word == "file" and isinstance(item, str):
-            yield f"{before}{word}", item
-
-
-def contents(scene: Scene, keys: tuple[Key, ...]) -> dict[str, bytes]:
-    """What the files hold that the drives of a study read, under their names in the scene and in lists of [vary].
-
-    A file that cannot be read is left out: a study that names it is refused before its first drive.
-    """
-    names = [name for _, name in _named(scene.to_dict())]
-    names += [str(value) for key in keys if key.path.endswith(".file") for value in key.values]
-    found = {}
-    for name in names:
-        file = Path(scene._source[2], name)
-        if file.is_file() and os.access(file, os.R_OK):
-            found[name] = file.read_bytes()
-    return found
+def contents(scenes: Iterable[Scene]) -> dict[str, bytes]:
+    """What the files hold that some scenes name, under their names there; without those that cannot be read."""
+    named = (file for scene in scenes for file in scene._core.files.values())
+    return {name: content for name, content in named if content is not None}
 
 
 def copies(files: Mapping[str, bytes]) -> dict[str, str]:
@@ -67,6 +47,6 @@ def renamed(text: str, names: Mapping[str, str]) -> str:
 def scene_text(scene: Scene, folder: str | os.PathLike[str]) -> str:
     """A scene as text for a file in a folder, where its relative file names start."""
     start, end = Path(scene._source[2]).resolve(), Path(folder).resolve()
-    names = {path: os.path.relpath(start / name, end) for path, name in _named(scene.to_dict())
+    names = {path: os.path.relpath(start / name, end) for path, (name, _) in scene._core.files.items()
              if start != end and not os.path.isabs(name)}  # fmt: skip
     return (scene.with_(names) if names else scene).to_toml()

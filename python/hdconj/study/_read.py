@@ -10,7 +10,6 @@ from typing import Any
 
 from .._errors import Fault, InputError, fault_text
 from .._scene import Scene
-from ._data_files import contents
 from ._faults import fault_at, lines_of, near, refuse
 from ._keys import MOST, Key, Value
 from ._probe import ask_names, ask_verbs, probe, refuse_overridden, refuse_unused, settled
@@ -67,12 +66,10 @@ def unread_files(recipe: Recipe) -> list[Fault]:
         for verb, options in recipe.verbs
         if "measured" in options and recipe.tables["compute"][verb]["measured"] not in recipe.measured
     ]  # fmt: skip
-    there = contents(recipe.scene, recipe.keys)
-    for key in recipe.keys:
-        for name in key.values if key.path.endswith(".file") else ():
-            if name not in there:
-                remedy = "name a CSV file, relative to the scene's file"
-                found.append(fault_at(lines, f"vary.{key.path}", "cannot be read", remedy, name))
+    remedy = "name a CSV file, relative to the scene's file"
+    for key, name, scene in recipe.worded():
+        if scene._core.files.get(key.path, (name, b""))[1] is None:
+            found.append(fault_at(lines, f"vary.{key.path}", "cannot be read", remedy, name))
     return found
 
 
@@ -108,8 +105,9 @@ def _read_tables(reader: Reader, computed: bool) -> Recipe:
     )  # fmt: skip
     if survivors and not recipe.objectives:
         reader.told("compute.survivors", "nothing says which drives survive", "write [objectives]", survivors)
+    there = recipe.data
     for name, content in recipe.measured.items():
-        if contents(scene, recipe.keys).get(name, content) != content:
+        if there.get(name, content) != content:
             reason = "has the name of another file of the scene"
             reader.told("compute.load.measured", reason, "write another name", name)
     probe(reader, scene, recipe)
@@ -151,7 +149,8 @@ def read_recipe(
         refuse([Fault(name, 0, "", f"no TOML: {error}", "mend the line")])
     recipe = _read_tables(reader, computed)
     if reader.faults:
-        refuse([*reader.faults, *unread_files(recipe)])
+        told = {(fault.path, fault.value) for fault in reader.faults}
+        refuse([*reader.faults, *(each for each in unread_files(recipe) if (each.path, each.value) not in told)])
     return settled(recipe)
 
 

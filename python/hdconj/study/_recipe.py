@@ -7,7 +7,7 @@ import hashlib
 import json
 import math
 import os
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -110,8 +110,20 @@ class Recipe:
 
     @cached_property
     def files(self) -> dict[str, bytes]:
-        """What the files hold that scene and options name, under the names that these give them."""
-        return {**contents(self.scene, self.keys), **self.measured}
+        """What the files hold that drives and options name, under the names that these give them."""
+        return {**self.data, **self.measured}
+
+    @property
+    def data(self) -> dict[str, bytes]:
+        """What the files hold that scene and lists of [vary] name; a study that names others is refused."""
+        return contents([self.scene, *(scene for _, _, scene in self.worded())])
+
+    def worded(self) -> Iterator[tuple[Key, str, Scene]]:
+        """Words in lists of [vary], which may name files, and the drive in the middle with each."""
+        first = self.first
+        for key in self.keys:
+            for word in (value for value in key.values if isinstance(value, str)):
+                yield key, word, self.scene_of({**first, key.path: word})
 
     @cached_property
     def measured(self) -> dict[str, bytes]:
