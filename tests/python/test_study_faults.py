@@ -394,6 +394,18 @@ def test_a_measured_curve_that_is_not_there_is_named(tmp_path):
         study.check(study.read_recipe(TORQUE, "study", tmp_path))
 
 
+@pytest.mark.parametrize("given, missing, law", [
+    ('"tilt.kind" = "draft"', "tilt.angle_deg", "{ from = 0.0, to = 0.3, count = 3 }"),
+    ('"end_relief.length" = 1.0', "end_relief.amount", "{ from = 0.001, to = 0.002 }"),
+])  # fmt: skip
+def test_a_key_that_varies_need_not_stand_in_the_scene(given, missing, law):
+    """The tables are whole in the drives."""
+    text = GOOD.replace(FLANK, f'"{missing}" = {law}\n[set]\n{given}')
+    assert study.read_recipe(text).keys[0].path == missing
+    with pytest.raises(hdconj.InputError, match=f"scene {missing}: this key is missing"):
+        study.read_recipe(text.replace(f'"{missing}" = {law}', FLANK))
+
+
 def test_a_drive_that_cannot_be_made_is_no_fault():
     """Arcs that do not meet, teeth that do not fit: rows, not reasons to refuse the study."""
     for law in (

@@ -32,29 +32,37 @@ def ask_names(reader: Reader, links: Mapping[str, Expression], known: Mapping[st
 
 
 def probe(reader: Reader, scene: Scene, recipe: Recipe) -> None:
-    """What the scene's schema says of the base scene and of the ends of all that varies."""
+    """What the scene's schema says of the base scene and of the ends of all that varies.
+
+    Keys that vary need not stand in the base scene: a fault that the drive in the middle does not have is none.
+    """
     own = set(scene.check())
-    for fault in own:
+    lasting = {fault.path for fault in recipe.scene_of(_with_links(recipe, recipe.first)).check()}
+    for fault in (fault for fault in own if fault.path in lasting):
         given = reader.tables.get("scene")  # its lines are not those of the study
         place = f"line {fault.line} of {given}: " if fault.line and isinstance(given, str) else "scene "
         line = reader.lines.get(f"set.{fault.path}", reader.lines.get(f"scene.{fault.path}", 0))
         reader.faults.append(fault._replace(path=place + fault.path, line=line))
     for key in recipe.keys:
         for value in (*key.probes, *key.between):
-            values = {**recipe.first, key.path: value}
-            with suppress(NumericalError):  # a link without a value is a row of its own
-                values = recipe.linked(values)
+            values = _with_links(recipe, {**recipe.first, key.path: value})
             for fault in recipe.scene_of(values).check():
                 if fault not in own:
                     _schema_fault(reader, fault, key, values, recipe)
 
 
+def _with_links(recipe: Recipe, values: Mapping[str, Value]) -> Mapping[str, Value]:
+    """All values; without links where one has no value, as a drive is then a row of its own."""
+    with suppress(NumericalError):
+        return recipe.linked(values)
+    return values
+
+
 def ask_verbs(reader: Reader, recipe: Recipe) -> None:
     """What the verbs say of the values of their options, of the built-in drive where the scene has faults."""
-    try:
-        scene = Scene() if recipe.scene.check() else recipe.scene_of(recipe.linked(recipe.first))
-    except NumericalError:
-        return
+    scene = recipe.scene_of(_with_links(recipe, recipe.first))
+    if reader.faults and scene.check():
+        scene = Scene()
     for verb, options in recipe.verbs:
         for fault in judged(verb, options, scene) if options else ():
             is_given = fault.path in options
