@@ -372,9 +372,16 @@ half = "load.torque / 2"
 
 
 def test_a_name_that_means_two_things_is_refused():
-    """The key is in N m, the figure in N mm."""
-    with pytest.raises(hdconj.InputError, match="load.torque is a key that varies and a figure"):
-        study.check(study.read_recipe(TORQUE.replace(', measured = "rig.csv"', "")))
+    """The key is in N m, the figure in N mm, whether the key varies or not; a name of the study may stand for it."""
+    text = TORQUE.replace(', measured = "rig.csv"', "")
+    alone = text.replace('"load.torque" = { list = [5.0, 10.0] }', '"tilt.angle_deg" = { list = [0, 0.1] }')
+    said = r'load.torque is a key of the scene and a figure \(write a name for the key under \[vary\], such as x = "l'
+    for given in (text, alone.replace("curve = false", "curve = false, torque = 5")):
+        with pytest.raises(hdconj.InputError, match=said):
+            study.check(study.read_recipe(given))
+        named = given.replace("[compute]", 'x = "load.torque"\n[compute]').replace('"load.torque / 2"', '"x / 2"')
+        good = study.read_recipe(named)
+        assert _drive.row_of(good, (0, good.first), False)[0]["half"] == 2.5
 
 
 def test_a_middle_drive_that_cannot_be_made_stops_no_study():
@@ -386,7 +393,7 @@ def test_a_middle_drive_that_cannot_be_made_stops_no_study():
     assert codes[0] not in ("", "figure") and codes[1] == ""
     given = study.read_recipe(TORQUE.replace(', measured = "rig.csv"', ""))
     row = _drive.row_of(given, (0, given.first), False)[0]
-    assert (row["code"], row["cause"]) == ("figure", "load.torque / 2: load.torque is a key that varies and a figure")
+    assert (row["code"], row["cause"]) == ("figure", "load.torque / 2: load.torque is a key of the scene and a figure")
 
 
 def test_a_measured_curve_that_is_not_there_is_named(tmp_path):

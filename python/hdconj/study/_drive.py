@@ -75,6 +75,7 @@ def compute(recipe: Recipe, values: Mapping[str, Value], errors: bool) -> tuple[
     linked = recipe.linked(values)
     scene = recipe.scene_of({**linked, "solver.threads": 1})
     known: dict[str, Any] = {k: v for k, v in {**recipe.constants, **linked}.items() if not isinstance(v, str)}
+    keys = frozenset(known)
     estimates: dict[str, float] = {}
     units: dict[str, str] = {}
     for verb, options in recipe.verbs:
@@ -88,11 +89,11 @@ def compute(recipe: Recipe, values: Mapping[str, Value], errors: bool) -> tuple[
         estimates |= own_errors
         units |= own_units
     row: Row = {**linked, **MADE}
-    both = recipe.varied & units.keys()
+    both = keys & units.keys()
     for name, expression in recipe.figures:
         try:
             if clash := both.intersection(expression.names):
-                raise ValueError(f"{min(clash)} is a key that varies and a figure")
+                raise ValueError(f"{min(clash)} is a key of the scene and a figure")
             value, error = expression.with_error(known, estimates)
             if not math.isfinite(value):
                 raise ValueError("is no finite number")

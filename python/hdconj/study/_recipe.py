@@ -75,9 +75,8 @@ class Recipe:
 
     @cached_property
     def constants(self) -> dict[str, float]:
-        """Keys of the scene that all drives share and that are numbers; under a verb's name stand its figures."""
-        numbers = {path: value for path, value in self.base.items() if is_number(value)}
-        return {path: value for path, value in numbers.items() if path.split(".")[0] not in VERBS}
+        """Keys of the scene that all drives share and that are numbers."""
+        return {path: value for path, value in self.base.items() if is_number(value)}
 
     def linked(self, values: Mapping[str, Value]) -> dict[str, Value]:
         """All values, links included; raises NumericalError where a link has none."""

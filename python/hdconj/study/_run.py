@@ -43,17 +43,16 @@ def first_drive(recipe: Recipe) -> tuple[Row, dict[str, str], float]:
 
 
 def _refuse_figures(recipe: Recipe) -> None:
-    """Names every figure that the first drive does not have, and those that have the name of a key that varies.
+    """Names every figure that the first drive does not have, and those that have the name of a key of the scene.
 
     One that has no value for that drive is no fault.
     """
     figures, lines = _figures_of_first(recipe), lines_of(recipe.text)
-    known = _known_keys(recipe) | figures
-    both = recipe.varied & figures
+    keys = _known_keys(recipe)
+    known, both = keys | figures, keys & figures
     refuse([
-        fault_at(lines, f"figures.{name}", f"{used} is a key that varies and a figure",
-                 f'let a name vary, such as T = {{ from = 1, to = 2 }}, write "{used}" = "T" under [vary], and T here',
-                 expression.text)
+        fault_at(lines, f"figures.{name}", f"{used} is a key of the scene and a figure",
+                 f'write a name for the key under [vary], such as x = "{used}", and x here', expression.text)
         if used in both else
         fault_at(lines, f"figures.{name}", f"unknown figure {used}", near(used, sorted(known)), expression.text)
         for name, expression in recipe.figures for used in expression.names if used in both or used not in known
