@@ -101,6 +101,15 @@ BAD = [
     ),
     (FLANK, FLANK + '\n"tilt.angle_deg" = "open(1)"', "unknown function 'open'"),
     (FLANK, FLANK + '\n"tilt.angle_deg" = "[1, 2]"', "'[1, 2]' is no arithmetic"),
+    *(
+        ('"solve.land_width"', f'"2 * {text}"', f"line 10: figures.land = 2 * {text}: {reason}")
+        for text, reason in (
+            ("min(solve.land_width)", "min takes two arguments or more, not 1 (write min(x, y))"),
+            ("sqrt(solve.land_width, 2)", "sqrt takes one argument, not 2 (write sqrt(x))"),
+            ("hypot()", "hypot takes one argument or more, not 0 (write hypot(x, y))"),
+            ("round(1, 2, 3)", "round takes one argument or two, not 3 (write round(x, y))"),
+        )
+    ),
     (FLANK, FLANK + '\n"tilt.angle_deg" = "1 if 2 else 3"', "is no arithmetic"),
     (FLANK, FLANK + '\na = "b + 1"\nb = "a + 1"', "the links go in a circle"),
     (FLANK, '"tilt.angle_deg" = "0.1"', "links alone do not vary"),

@@ -32,6 +32,12 @@ _FUNCTIONS: dict[str, Callable[..., Any]] = {
     **{"degrees": math.degrees, "radians": math.radians, "hypot": math.hypot},
     **{"abs": abs, "min": min, "max": max, "round": round, "floor": math.floor, "ceil": math.ceil},
 }
+# How many arguments a function takes at least and at most, where that is not one.
+_ARGUMENTS = {
+    **dict.fromkeys(("log", "round"), (1, 2, "one argument or two")),
+    **dict.fromkeys(("min", "max"), (2, LONGEST, "two arguments or more")),
+    "hypot": (1, LONGEST, "one argument or more"),
+}
 _CONSTANTS = {"pi": math.pi}
 # What an expression raises that has no value: outside a function's domain, over a word, over a name without a value.
 NO_VALUE = (ArithmeticError, ValueError, TypeError, KeyError)
@@ -162,10 +168,18 @@ def _check(node: ast.AST, names: dict[str, None]) -> None:
     elif isinstance(node, ast.Call) and not node.keywords:
         if _name(node.func) not in _FUNCTIONS:
             raise ValueError(f"unknown function {ast.unparse(node.func)!r}; known: {', '.join(_FUNCTIONS)}")
+        _check_count(str(_name(node.func)), len(node.args))
         for argument in node.args:
             _check(argument, names)
     else:
         raise ValueError(f"{ast.unparse(node)!r} is no arithmetic")
+
+
+def _check_count(function: str, count: int) -> None:
+    """Refuses a function with another number of arguments than it takes."""
+    least, most, words = _ARGUMENTS.get(function, (1, 1, "one argument"))
+    if not least <= count <= most:
+        raise ValueError(f"{function} takes {words}, not {count}", f"write {function}({'x, y' if most > 1 else 'x'})")
 
 
 def _divisors(node: ast.AST) -> Iterator[ast.expr]:
