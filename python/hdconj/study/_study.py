@@ -192,7 +192,7 @@ class Study:
         return float(good.mean()), float(interval.low), float(interval.high)
 
     def indices(self) -> Any:
-        """First and total indices of Sobol of every figure, with half widths of their 95 % interval.
+        """First and total indices of Sobol of every figure, with half widths of their 95 % interval, from 8 blocks on.
 
         A ``pandas.DataFrame`` with the columns figure, key, first, first_error, total, total_error; the key with the
         largest total index of a figure matters most. Blocks in which a drive is missing or could not be made are left
