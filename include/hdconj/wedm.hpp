@@ -90,7 +90,8 @@ struct PassFigures
     std::size_t blocks = 0;     ///< moves after the start hole
     double length = 0;          ///< of the path in the lower face [mm]
     double shortest = 0;        ///< block, in either face [mm]
-    double residual = 0;        ///< highest material left [mm]
+    double residual = 0;        ///< highest material left; 0: no more than its error [mm]
+    double residual_error = 0;  ///< of that [mm]
     std::size_t residuals = 0;  ///< places
 };
 
@@ -164,9 +165,10 @@ struct WireProgram
     double spark_gap = 0;             ///< [mm]
     int decimals = 4;                 ///< of every rounded output
     double tolerance = 0;             ///< of the surface that is cut [mm]
-    double contour_error = 0;  ///< of the points of the nominal contours against the true ones: what they were solved
-                               ///< to, and what a side clearance "auto" was found to; lines between points are up to
-                               ///< `tolerance` further off [mm]
+    double contour_error = 0;   ///< of the points of the nominal contours against the true ones: what they were solved
+                                ///< to, and what a side clearance "auto" was found to; lines between points are up to
+                                ///< `tolerance` further off [mm]
+    double residual_error = 0;  ///< of the heights of residuals; where there are none, no more than this is left [mm]
     double cup_error = 0;  ///< of the displacement of the sections that an elastic cup bends, an estimate in none of
                            ///< the others; 0: none, or not known from an outline alone [mm]
     WireStop stop = WireStop::always;     ///< word of the moves with the tag `stop`

@@ -124,7 +124,9 @@ Rows<MeasuredPass> pass_figures()
         figure<&T::figures, &Figures::blocks>("blocks", one, "moves after the start hole", {"blocks", whole}),
         figure<&T::figures, &Figures::length>("length", mm, "of the path in the lower face", {"length", decimals<3>}),
         figure<&T::figures, &Figures::shortest>("shortest_block", mm, "in either face", {"shortest", decimals<6>}),
-        figure<&T::figures, &Figures::residual>("residual", um, "highest material left", {"residual", decimals<3>}),
+        figure<&T::figures, &Figures::residual>("residual", um, "highest material left; 0: no more than its error",
+                                                {"residual", decimals<3>, significant<3>})
+            .with_error<&T::figures, &Figures::residual_error>(),
         figure<&T::figures, &Figures::residuals>("residual_places", one, "places with material left")};
     return Rows<T>(rows);
 }

@@ -110,7 +110,7 @@ WireProgram spline_program(Scene const& scene, CircularSplineOutline const& outl
     refuse_crossed_axis(scene, outline);
     wedm::WireJob const job(scene, faces_of(scene, outline));
     auto const passes = wedm::pitch_passes(job);
-    if (wedm::leaves_too_much(job, passes))
+    if (wedm::leaves_too_much(job, passes.back()))
         throw InputError(wedm::residual_fault(job, passes, reached_faces(scene)));
     WireProgram program = wedm::set_up_program(job, passes, {});
     if (std::string missing = missing_side_clearance(scene); !missing.empty())
@@ -125,7 +125,7 @@ WireSetUps flexspline_programs(Scene const& scene, StageObserver const& on_stage
         solved = solve(scene, on_stage);
     wedm::WireJob const job(scene, wedm::flexspline_faces(scene, solved ? &*solved : nullptr));
     auto const passes = wedm::pitch_passes(job);
-    if (wedm::leaves_too_much(job, passes))
+    if (wedm::leaves_too_much(job, passes.back()))
         throw InputError(wedm::residual_fault(job, passes, {}));
     WireSetUps programs = wedm::half_programs(job, passes);
     programs.front().judgement = solved ? solved->judgement : judge(scene);

@@ -719,7 +719,8 @@ std::vector<KeySpec> wedm()
                   bounds::least_tolerance),
          "0.0005", to<&Scene::wedm, &WireRequest::tolerance>, 0.0005},
         {optional("residual_limit", Q::nonnegative_length,
-                  "material that the last pass may leave where the wire cannot follow"),
+                  "material that the last pass may leave where the wire cannot follow, its error included: above the "
+                  "tolerance"),
          "0.01", to<&Scene::wedm, &WireRequest::residual_limit>, 0.01},
         {optional("surface_limit", Q::nonnegative_length,
                   "accepted distance of the cut from the true surface between the faces, where that is not ruled or "

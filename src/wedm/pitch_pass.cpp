@@ -24,27 +24,39 @@ CutRadius cut_radius(WireJob const& job, double offset)
     return {offset, job.wire.tolerance, job.machine.thickness};
 }
 
-/// The thickest wire on sale, thinner than the one of @p job, that leaves no more than the limit.
-std::optional<double> fitting_wire(WireJob const& job)
-{
-    double const given = job.wire.wire_diameter;
-    for (int k = static_cast<int>(std::ceil(given / wire_step)) - 1; k * wire_step >= thinnest_wire; --k) {
-        double const diameter = std::min(k * wire_step, given);
-        if (job.wire.spark_gap > diameter)
-            break;
-        Uncut const uncut = pitch_pass(job, diameter, 0).uncut;
-        if (uncut.highest() == nullptr || uncut.highest()->height <= job.wire.residual_limit)
-            return diameter;
-    }
-    return {};
-}
-
-/// The pass at @p offset, in points far closer than the wire needs.
+/// Path of the wire's centre at @p offset from the faces, before it is thinned.
 PairedPath fine_path(WireJob const& job, double offset)
 {
-    PairedPath const contour{with_neighbours(job.faces.pitch.lower, job.faces, 1),
-                             with_neighbours(job.faces.pitch.upper, job.faces, 1)};
+    WireFaces const& faces = job.faces;
+    PairedPath const contour{with_neighbours(faces.pitch.lower, faces, 1),
+                             with_neighbours(faces.pitch.upper, faces, 1)};
     return offset_path(contour, offset, share_of_arcs * job.wire.tolerance, job.machine.thickness);
+}
+
+double offset_of(WireJob const& job, double wire_diameter, double stock)
+{
+    return wire_diameter / 2 + job.wire.spark_gap + stock;
+}
+
+double height_of(Uncut const& uncut)
+{
+    Residual const* const worst = uncut.highest();
+    return worst == nullptr ? 0 : worst->height;
+}
+
+/// Height of what the last pass by a wire of @p wire_diameter leaves, to the tolerance: lengthening short moves may
+/// take most of the time of a pass, and is left out.
+double left_about(WireJob const& job, double wire_diameter)
+{
+    double const offset = offset_of(job, wire_diameter, 0);
+    PairedPath const fine = fine_path(job, offset);
+    PairedPath const path = taken(fine, thinned(fine, share_of_moves * job.wire.tolerance));
+    return height_of(uncut_of(job.faces, path, cut_radius(job, offset)));
+}
+
+bool is_too_much(WireJob const& job, double height)
+{
+    return height + job.residual_error() > job.wire.residual_limit;
 }
 
 /// Points of a path that the wire moves between.
@@ -84,15 +96,14 @@ std::optional<double> way_of_teeth(WireJob const& job, PitchPass const& pass, Wi
 
 PitchPass pitch_pass(WireJob const& job, double wire_diameter, double stock)
 {
-    WireFaces const& faces = job.faces;
     PitchPass pass;
     pass.stock = stock;
-    pass.offset = wire_diameter / 2 + job.wire.spark_gap + stock;
+    pass.offset = offset_of(job, wire_diameter, stock);
     PairedPath const fine = fine_path(job, pass.offset);
     std::vector<std::size_t> const kept = moves_along(job, fine).kept;
     pass.path = taken(fine, kept);
     pass.guide_chord = guide_chord_error(fine, kept, job.machine);
-    pass.uncut = uncut_of(faces, pass.path, cut_radius(job, pass.offset));
+    pass.uncut = uncut_of(job.faces, pass.path, cut_radius(job, pass.offset));
     return pass;
 }
 
@@ -113,10 +124,34 @@ std::optional<int> fitting_decimals(WireJob job, double offset)
     return {};
 }
 
-bool leaves_too_much(WireJob const& job, std::vector<PitchPass> const& passes)
+bool leaves_too_much(WireJob const& job, PitchPass const& pass)
 {
-    Residual const* const worst = passes.back().uncut.highest();
-    return worst != nullptr && worst->height > job.wire.residual_limit;
+    return is_too_much(job, height_of(pass.uncut));
+}
+
+std::optional<double> fitting_wire(WireJob const& job)
+{
+    double const given = job.wire.wire_diameter, thinnest = std::max(thinnest_wire, job.wire.spark_gap);
+    auto const diameter = [&](int step) { return std::min(step * wire_step, given); };
+    auto const fits = [&](int step) { return !leaves_too_much(job, pitch_pass(job, diameter(step), 0)); };
+    int const first = static_cast<int>(std::ceil(thinnest / wire_step));
+    int const last = static_cast<int>(std::ceil(given / wire_step)) - 1;
+    // a thinner wire reaches all that a thicker one does
+    int fitting = first - 1;
+    for (int wide = last + 1; wide - fitting > 1;) {
+        int const step = (fitting + wide) / 2;
+        (is_too_much(job, left_about(job, diameter(step))) ? wide : fitting) = step;
+    }
+    for (fitting = std::min(fitting + 1, last); fitting >= first; --fitting)
+        if (fits(fitting))
+            return diameter(fitting);
+    return {};
+}
+
+bool fits_well(WireJob const& job)
+{
+    double const left = left_about(job, job.wire.wire_diameter), tolerance = job.wire.tolerance;
+    return !is_too_much(job, std::max(left, tolerance) + 2 * share_of_moves * tolerance);
 }
 
 Fault residual_fault(WireJob const& job, std::vector<PitchPass> const& passes, std::optional<WireFaces> const& reached)
@@ -126,15 +161,15 @@ Fault residual_fault(WireJob const& job, std::vector<PitchPass> const& passes, s
     auto const way = reached ? way_of_teeth(job, passes.back(), *reached) : std::nullopt;
     Fault fault = job.wire_key;
     fault.reason = fmt::format(
-        "wire and gap are too wide to follow the contour: they leave {:.6g} mm at ({:f}, {:f}) mm of the {} face, {} "
-        "of every tooth space, and residual_limit is {:.6g} mm",
-        worst->height, worst->where.x(), worst->where.y(), worst->upper ? "upper" : "lower",
+        "wire and gap are too wide to follow the contour: they leave {:.6g} +- {:.3g} mm at ({:f}, {:f}) mm of the {} "
+        "face, {} of every tooth space, and residual_limit is {:.6g} mm",
+        worst->height, job.residual_error(), worst->where.x(), worst->where.y(), worst->upper ? "upper" : "lower",
         worst->meshing ? "on a flank" : "in the root", job.wire.residual_limit);
     fault.remedy = fmt::format(
         "{} residual_limit = {:.6g}{}",
         wire ? fmt::format("write wire_diameter = {:.6g}, a thinner wire that leaves no more than that, or", *wire)
              : "no thinner wire that is sold leaves so little; write",
-        std::ceil(worst->height * told_per_mm) / told_per_mm,
+        std::ceil((worst->height + job.residual_error()) * told_per_mm) / told_per_mm,
         way ? fmt::format(": the teeth of the unloaded flexspline keep a distance of {:.6g} mm from what is left", *way)
             : "");
     return fault;

@@ -34,11 +34,18 @@ struct PitchPass
 /// least_block(); nothing where there are none.
 [[nodiscard]] std::optional<int> fitting_decimals(WireJob job, double offset);
 
-/// Whether the last of @p passes leaves more than wedm.residual_limit.
-[[nodiscard]] bool leaves_too_much(WireJob const& job, std::vector<PitchPass> const& passes);
+/// Whether @p pass may leave more than wedm.residual_limit: with the error of what is left.
+[[nodiscard]] bool leaves_too_much(WireJob const& job, PitchPass const& pass);
 
-/// What is wrong then. Names the thickest wire on sale that leaves no more than the limit, the limit that would do, and
-/// how far the teeth stay clear of what is left.
+/// The thickest wire on sale [mm], thinner than the one of @p job, whose last pass does not; nothing where none is so
+/// thin.
+[[nodiscard]] std::optional<double> fitting_wire(WireJob const& job);
+
+/// Whether the last pass of @p job keeps the limit wherever within the tolerance its path runs. Cheaper than the pass.
+[[nodiscard]] bool fits_well(WireJob const& job);
+
+/// What is wrong where the last of @p passes does. Names the thickest wire on sale that leaves no more than the limit,
+/// the limit that would do, and how far the teeth stay clear of what is left.
 /// @param reached  the faces that the teeth of the unloaded flexspline reach, if they are known
 [[nodiscard]] Fault residual_fault(WireJob const& job, std::vector<PitchPass> const& passes,
                                    std::optional<WireFaces> const& reached);

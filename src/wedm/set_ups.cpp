@@ -47,6 +47,7 @@ WireProgram blank_program(WireJob const& job)
     program.surface = job.surface;
     program.tilt_kind = job.tilt_kind;
     program.contour_error = job.contour_error;
+    program.residual_error = job.residual_error();
     program.nominal =
         whole_contour(faces, thinned(faces.pitch, share_of_moves * job.wire.tolerance, with_extremes(faces)));
     LargestDistance const taper = constant_taper_error(faces);

@@ -59,6 +59,29 @@ bool faces_differ(Scene const& scene)
     return tilt_of(scene) != 0 || follows_cone(scene);
 }
 
+/// How much further the faces of the workpiece are from its middle than the ends of the toothing.
+double beyond_toothing(Scene const& scene)
+{
+    return thickness_of(scene) / toothed_width(scene);
+}
+
+/// What the wire leaves is known to the tolerance and the error of the contour (WireJob::residual_error).
+void check_residual_limit(Scene const& scene, Faults& faults)
+{
+    double const limit = scene.wedm->residual_limit;
+    double const contour = scene.solver.tolerance * std::max(1.0, beyond_toothing(scene));
+    double const known = scene.wedm->tolerance + contour;
+    if (known <= limit)
+        return;
+    constexpr double enough = 1.01;  // beyond the digits that are printed
+    bool const finer = limit / 2 >= 10 * contour;
+    add_fault(faults, "wedm.tolerance",
+              fmt::format("what the wire leaves is known to {:.6g} mm only, and wedm.residual_limit is {:.6g} mm",
+                          known, limit),
+              fmt::format("write {}residual_limit = {:.3g}",
+                          finer ? fmt::format("a tolerance of at most {:.3g}, or ", limit / 2) : "", enough * known));
+}
+
 void check_wire(Scene const& scene, Faults& faults)
 {
     WireRequest const& wire = *scene.wedm;
@@ -82,6 +105,8 @@ void check_wire(Scene const& scene, Faults& faults)
     if (wire.tolerance > scene::tenth_of_module(scene.drive))
         add_fault(faults, "wedm.tolerance", "is above a tenth of the module, too coarse for a tooth",
                   fmt::format("write at most {:.6g}, such as 0.0005", module / 10));
+    else
+        check_residual_limit(scene, faults);
 }
 
 void check_workpiece(Scene const& scene, Faults& faults)
@@ -164,7 +189,7 @@ WireJob::WireJob(Scene const& scene, WireFaces part_faces) : faces(std::move(par
     machine = {thickness_of(scene), wire.lower_guide, wire.upper_guide};
     contour_error = scene.solver.tolerance;
     if (faces.pitch.lower != faces.pitch.upper) {
-        contour_error *= machine.thickness / toothed_width(scene);  // rulings go on beyond the toothing
+        contour_error *= beyond_toothing(scene);  // rulings go on beyond the toothing
         surface = scene.slices ? scene.slices->surface : ToothSurface::tilted;
         if (tilt_of(scene) != 0)
             tilt_kind = scene.tilt->kind;

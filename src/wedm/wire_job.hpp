@@ -27,6 +27,9 @@ struct WireJob
     std::optional<ToothSurface> surface;  ///< nothing where both faces are the same
     std::optional<TiltKind> tilt_kind;    ///< nothing where the teeth are not tilted
     Fault wire_key;                       ///< where the scene states wire_diameter, for messages
+
+    /// Of the height of what the wire leaves; where no residual is told, no more than this is left.
+    [[nodiscard]] double residual_error() const { return wire.tolerance + contour_error; }
 };
 
 /// @throws InputError with all faults of check_wedm()

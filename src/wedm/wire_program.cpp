@@ -85,8 +85,10 @@ WireFigures measured(WireProgram const& program)
         figures.least_shift = std::min(figures.least_shift, shift);
     }
     figures.passes.clear();
-    for (WirePass const& pass : program.passes)
+    for (WirePass const& pass : program.passes) {
         figures.passes.push_back(pass_figures(pass));
+        figures.passes.back().residual_error = program.residual_error;
+    }
     measure_wire(program, figures);
     measure_residuals(program, figures);
     return figures;

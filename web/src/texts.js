@@ -46,7 +46,7 @@ const english = {
   noBand: "The errors were not estimated.", differs: "differs beyond both errors", same: "within the errors",
   overlaid: "Tooth spaces laid over each other", noError: "differs; no error is stated",
   path: "Wire path", pass: "Pass", face: "Face", lower: "lower", upper: "upper", nominal: "contour of the part",
-  residuals: "Material that no pass reaches", jump: "Show", noResiduals: "No pass leaves more than its limit.",
+  residuals: "Material that no pass reaches", jump: "Show", noResiduals: "No pass leaves more than the tolerance of the cut.",
   places: "places", tooth: "first in tooth space", on: "on", flank: "a flank", root: "the root",
     onlyOne: "This report holds one drive.",
   rules: "Design rules", rule: "Rule", usual: "Usual", accepted: "Accepted", found: "This drive", source: "Source",

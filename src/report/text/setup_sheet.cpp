@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "figures/number_text.hpp"
 #include "figures/wire_figures.hpp"
 #include "summary_page.hpp"
 #include "wedm/program_words.hpp"
@@ -155,10 +156,12 @@ SheetTable check_table(WireSetUps const& programs, MeasuredProgram const& first,
     for (WireProgram const& program : programs)
         for (Residual const& residual : program.residuals)
             highest = std::max(highest, residual.pass == programs.front().passes.back().number ? residual.height : 0);
-    table.rows.push_back({"corners", highest > 0 ? fmt::format("the last pass leaves up to {:.3g} um that the round "
-                                                               "wire cannot reach",
-                                                               highest * per_um)
-                                                 : "the wire reaches all of the contour"});
+    std::string const known = figures::um_text(first.program.residual_error);
+    table.rows.push_back(
+        {"corners", highest > 0
+                        ? fmt::format("the last pass leaves up to {:.3g} +- {} that the round wire cannot reach",
+                                      highest * per_um, known)
+                        : "the wire reaches all of the contour to within " + known});
     auto const warnings = figures::wire_warnings(first.program, files);
     for (auto const& warning : warnings)
         for (std::string label = "WARNING"; auto const& line : broken(warning))

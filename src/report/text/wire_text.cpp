@@ -62,7 +62,7 @@ void write_passes(Page& page, WireProgram const& program, WireFigures const& fou
         Told const told(figures::pass_figures(), pass);
         page.line("  {:>4}{:>12}{:>11}{:>11}{:>9}{:>13}{:>15}{:>15}", told("pass"), told("offset"), told("stock"),
                   pass.pass.reversed ? "reversed" : "first", told("blocks"), told("length"), told("shortest_block"),
-                  told("residual"));
+                  found.passes[i].residuals > 0 ? told("residual") : "<= " + told.error("residual"));
     }
     if (!program.closed())
         return;
@@ -86,16 +86,11 @@ void write_set_up(Page& page, WireProgram const& program)
                             last, program.set_up.first));
 }
 
-/// The path is as far off the exact parallel as it cuts the faces wrong.
-double residual_error(MeasuredProgram const& first)
-{
-    return std::max(first.program.tolerance, first.figures.face_error) + first.program.contour_error;
-}
-
-void write_residuals(Page& page, WireSetUps const& programs, MeasuredProgram const& first)
+void write_residuals(Page& page, WireSetUps const& programs)
 {
     std::size_t places = 0, meshing = 0;
     Residual const* highest = nullptr;
+    std::string const known = figures::um_text(programs.front().residual_error);
     for (auto const& program : programs) {
         for (auto const& each : program.residuals) {
             ++places;
@@ -104,17 +99,16 @@ void write_residuals(Page& page, WireSetUps const& programs, MeasuredProgram con
         }
     }
     if (highest == nullptr) {
-        page.line("  no residual material: the wire reaches all of the contour");
+        page.line("  no residual material above {}: the wire reaches all of the contour to within that", known);
         return;
     }
     page.line("  residual material at {} places, {} of them in a zone that meshes", places, meshing);
     auto const rows = figures::residual_figures();
     Told const told(rows, *highest);
-    page.figure(
-        rows["height"], *highest,
-        fmt::format("+- {}, pass {}, tooth space {}, {} face ({}, {}) mm{}", figures::um_text(residual_error(first)),
-                    told("pass"), told("tooth"), highest->upper ? "upper" : "lower", told("x"), told("y"),
-                    highest->meshing ? ", in the meshing zone" : ""));
+    page.figure(rows["height"], *highest,
+                fmt::format("+- {}, pass {}, tooth space {}, {} face ({}, {}) mm{}", known, told("pass"), told("tooth"),
+                            highest->upper ? "upper" : "lower", told("x"), told("y"),
+                            highest->meshing ? ", in the meshing zone" : ""));
 }
 
 /// What the checks found; nothing where no check was made.
@@ -184,7 +178,7 @@ std::string summary_text(WireSetUps const& programs, std::vector<WireFile> const
             report::write_set_up(page, program);
         report::write_passes(page, program, measured(program));
     }
-    report::write_residuals(page, programs, first);
+    report::write_residuals(page, programs);
     report::write_checks(page, first);
     for (auto const& warning : figures::wire_warnings(first.program, files))
         page.line("  WARNING: {}", warning);
