@@ -35,8 +35,6 @@ namespace hdconj::judgement {
 [[nodiscard]] std::optional<Note> undercut(Solution const& solution);
 /// Tip land of the circular spline.
 [[nodiscard]] std::optional<Note> land(Solution const& solution);
-/// Highest material that the wire leaves in a corner of the tooth space.
-[[nodiscard]] std::optional<Note> sharp_corner(Solution const& solution);
 /// Narrowest width of the tooth space down to where the wire's centre goes.
 [[nodiscard]] std::optional<Note> narrow_space(Solution const& solution);
 

@@ -46,8 +46,7 @@ Notes notes_on(UnsolvedPair const& pair)
 
 Notes notes_on(Solution const& solution)
 {
-    return all_of(
-        {flank_contact(solution), land(solution), undercut(solution), sharp_corner(solution), narrow_space(solution)});
+    return all_of({flank_contact(solution), land(solution), undercut(solution), narrow_space(solution)});
 }
 
 void judge_late_mesh_again(Notes& notes, Scene const& scene)

@@ -39,7 +39,7 @@ constexpr std::array limits{
                 "as for the land of the circular spline"},
     DesignLimit{NoteCode::undercut, "angle lost before a cusp / angle used beside it", "1", at_most(0.1), at_most(1),
                 "below 0.1 little is lost; above 1 more is lost than used"},
-    DesignLimit{NoteCode::sharp_corner, "height of what the wire leaves in a corner / wedm.residual_limit", "1",
+    DesignLimit{NoteCode::sharp_corner, "height of what the wire leaves, with its error / wedm.residual_limit", "1",
                 at_most(1), any, "what the verb wedm accepts"},
     DesignLimit{NoteCode::narrow_space, "narrowest width of the space / (wire diameter + 2 gaps)", "1", at_least(1),
                 any, "a narrower space cannot be entered"},

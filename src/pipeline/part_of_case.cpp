@@ -9,6 +9,7 @@
 #include "hdconj/error.hpp"
 #include "judgement/judgement.hpp"
 #include "surface/build_slices.hpp"
+#include "wedm/sharp_corner.hpp"
 
 namespace hdconj::pipeline {
 namespace {
@@ -68,6 +69,7 @@ void judge_part(Solution& out, contact::ContactStudyData const& data, SurfaceSpe
 {
     judge_tilted_tips(out, data.scene, spec, tip);
     judge_end_of_teeth(out, data);
+    wedm::judge_sharp_corner(out.judgement, data.scene, out.circular_spline);
 }
 
 }  // namespace

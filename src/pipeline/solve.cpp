@@ -10,6 +10,7 @@
 #include "hdconj/check.hpp"
 #include "hdconj/scene/reading.hpp"
 #include "surface/build_slices.hpp"
+#include "wedm/sharp_corner.hpp"
 
 namespace hdconj {
 namespace {
@@ -68,6 +69,7 @@ Solution solve(Scene const& scene, StageObserver const& on_stage)
     conjugate::solve_plane(plane, clock, drive::width_of_slices(scene));
     if (out.plan.has(Stage::surface))
         surface::build_slices(out, plane.tooth, plane.shape, clock);
+    wedm::judge_sharp_corner(out.judgement, scene, out.circular_spline);
     out.timing = clock.times();
     return std::move(out);
 }

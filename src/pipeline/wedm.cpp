@@ -48,7 +48,7 @@ bool can_be_cut(Scene scene, CircularSplineOutline const& outline, double thickn
     scene.wedm->thickness = thickness;
     wedm::WireJob const job(scene, faces_of(scene, outline));
     auto const passes = wedm::pitch_passes(job);
-    if (wedm::leaves_too_much(job, passes))
+    if (wedm::leaves_too_much(job, passes.back()))
         return false;
     try {
         (void)wedm::set_up_program(job, passes, {});

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a round wire leaves in the corners of a space against the limit.
+// What a round wire leaves in the corners of a space against the limit: the note of a solution, and the wire program.
+#include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "hdconj/error.hpp"
 #include "hdconj/read_scene.hpp"
+#include "hdconj/solve.hpp"
 #include "hdconj/wedm.hpp"
 #include "hdconj/wire_files.hpp"
 #include "support/catch.hpp"
@@ -52,6 +56,14 @@ spark_gap = 0.012
     return reading.scene;
 }
 
+/// The note on what the wire leaves.
+std::optional<Note> corner(Scene const& scene)
+{
+    Notes const notes = solve(scene).judgement;
+    auto const found = std::ranges::find(notes, NoteCode::sharp_corner, &Note::code);
+    return found == notes.end() ? std::nullopt : std::optional(*found);
+}
+
 /// The number behind @p words in @p text, as text.
 std::string number_behind(std::string const& words, std::string const& text)
 {
@@ -74,6 +86,44 @@ Fault refusal(Scene const& scene)
 }
 
 }  // namespace
+
+TEST_CASE("the note on what the wire leaves is what wedm finds, and wedm takes the wire that it names", "[wedm]")
+{
+    for (Keys const& sets : {Keys{}, Keys{"circular_spline.backlash_offset=0"}, Keys{"circular_spline.width=9"},
+                             Keys{"tilt.angle_deg=0.5", "slices.count=3", "slices.surface=tilted"}}) {
+        INFO((sets.empty() ? "as given" : sets.front()));
+        auto const note = corner(drive(sets));
+        REQUIRE(note);
+        Keys with = sets;
+        with.emplace_back("wedm.residual_limit=1");
+        WireProgram const left = wire_program(drive(with));
+        CHECK(0.01 * note->figure == Approx(left.figures.residual + left.residual_error).epsilon(1e-9));
+        CHECK(note->figure > 2);
+        with.back() = "wedm.wire_diameter=" + number_behind("of at most ", note->advice);
+        CHECK_NOTHROW(wire_program(drive(with)));
+        CHECK_FALSE(corner(drive(with)));
+    }
+}
+
+TEST_CASE("the note on what the wire leaves looks at both ends of the teeth", "[wedm]")
+{
+    Keys sets{"wedm.wire_diameter=0.10", "tilt.angle_deg=3", "slices.count=3", "slices.surface=tilted",
+              "circular_spline.width=7"};
+    WireProgram const left = wire_program(drive([&] {
+        Keys with = sets;
+        with.emplace_back("wedm.residual_limit=1");
+        return with;
+    }()));
+    double lower = 0, upper = 0;
+    for (Residual const& residual : left.residuals)
+        (residual.upper ? upper : lower) = std::max(residual.upper ? upper : lower, residual.height);
+    REQUIRE(std::abs(upper - lower) > 1e-6);
+    // a limit between both faces
+    sets.push_back("wedm.residual_limit=" + std::to_string((lower + upper) / 2 + left.residual_error));
+    auto const note = corner(drive(sets));
+    REQUIRE(note);
+    CHECK_THAT(note->place, ContainsSubstring(upper > lower ? "upper face" : "lower face"));
+}
 
 TEST_CASE("the limit of what the wire leaves contains the error of that", "[wedm]")
 {

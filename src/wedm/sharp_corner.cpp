@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sharp_corner.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+
+#include "base/text.hpp"
+#include "hdconj/units.hpp"
+#include "judgement/limits.hpp"
+#include "judgement/wire.hpp"
+#include "pitch_pass.hpp"
+
+namespace hdconj::wedm {
+namespace {
+
+/// @p scene with the wire that is judged, which cuts the circular spline.
+Scene judged(Scene const& scene)
+{
+    Scene wired = scene;
+    wired.wedm = judgement::wire_of(scene);
+    wired.wedm->part = WirePart::circular_spline;
+    if (thickness_of(wired) <= 0)
+        wired.wedm->thickness = 1;  // both faces are the same: any will do
+    return wired;
+}
+
+std::optional<Note> sharp_corner(Scene const& scene, CircularSplineOutline const& outline)
+{
+    Scene const wired = judged(scene);
+    WireRequest const& wire = *wired.wedm;
+    if (wire.wire_diameter + 2 * wire.spark_gap >= std::numbers::pi * scene.drive.module)
+        return std::nullopt;  // enters no space
+    WireJob const job(wired, wire_faces(outline, scene.drive.circular_spline_teeth, thickness_of(wired)));
+    if (fits_well(job))
+        return std::nullopt;
+    PitchPass const pass = pitch_pass(job, wire.wire_diameter, 0);
+    Residual const* const worst = pass.uncut.highest();
+    if (worst == nullptr)
+        return std::nullopt;
+    auto note =
+        judgement::note_on(NoteCode::sharp_corner, (worst->height + job.residual_error()) / wire.residual_limit);
+    if (!note)
+        return note;
+    note->place = std::string("tooth space near (") + short_number(worst->where.x(), 4) + ", " +
+                  short_number(worst->where.y(), 6) + ") mm" +
+                  (job.surface ? worst->upper ? " of the upper face" : " of the lower face" : "");
+    note->cause = judgement::wire_name(scene) + " leaves " + short_number(worst->height * per_um, 3) + " +- " +
+                  short_number(job.residual_error() * per_um, 2) + " um there, " +
+                  (worst->meshing ? "on a flank" : "in the root") + ", which is too sharp for it";
+    auto const thinner = fitting_wire(job);
+    note->advice = (thinner ? "take a thinner wire, of at most " + short_number(*thinner) + " mm, or"
+                            : std::string("no thinner wire that is sold leaves so little:")) +
+                   " round the corner of the flexspline's tip that passes there; a larger "
+                   "circular_spline.root_clearance moves the corner away from the teeth, but leaves it sharp";
+    return note;
+}
+
+}  // namespace
+
+void judge_sharp_corner(Notes& notes, Scene const& scene, CircularSplineOutline const& outline)
+{
+    std::erase_if(notes, [](Note const& note) { return note.code == NoteCode::sharp_corner; });
+    if (scene.is_reverse())
+        return;
+    if (auto const note = sharp_corner(scene, outline))
+        notes.push_back(*note);
+    std::ranges::stable_sort(notes, {}, &Note::code);
+}
+
+}  // namespace hdconj::wedm
