@@ -60,9 +60,9 @@ struct MeasuredStiffness
     std::vector<std::size_t> strays;  ///< samples left out: they leave the run of their neighbours
     Estimate drift;       ///< of the angle, over the whole log [rad]; taken out. Count 0: no branch is repeated
     Estimate loop_width;  ///< angle where the load has gone, from the positive side less from the negative one [rad]
-    Estimate friction_width;  ///< of the loop's width what friction makes [rad]; count 0: too few samples near zero
-    Estimate backlash;  ///< of the loop's width the rest, the jump between both sides [rad]; without friction_width
-                        ///< the whole loop, or, with friction above no_load, as the stiffness not determined: count 0
+    Estimate friction_width;  ///< of the loop's width what friction makes [rad]; count 0: not determined
+    Estimate backlash;        ///< of the loop's width the rest, the jump between both sides [rad]; without
+                              ///< friction_width the whole loop. Count 0: not determined
     Estimate
         friction;      ///< torque that friction takes: half of what loading and unloading differ by at one angle [N mm]
     Estimate first;    ///< stiffness of the first stage, over the loading branches that have a bend [N mm/rad]
@@ -87,7 +87,9 @@ inline constexpr double near_zero = 0.12;  ///< up to here the curves to zero to
 /// out first, and so is the torque about which the loop is symmetric, where it is far from zero. Where a part of the
 /// cycle is repeated, an even drift of the angle is found and taken out. Backlash is the jump between two parallel
 /// curves where a branch passes from one side to the other, at zero torque or, with friction, beyond it; readings
-/// nearer than no_load to that torque may lie within the backlash and are left out. The width of the loop is found for
+/// nearer than no_load to that torque may lie within the backlash and are left out. Where readings are too few to show
+/// the jump, backlash is the loop's width less twice the friction over the stiffness of the first stage; with friction
+/// above no_load, backlash and stiffness are then not determined. The width of the loop is found for
 /// each cycle: a curve through the samples of each unloading branch between no_load and near_zero is extended to zero
 /// torque. With fewer than three samples there, a line goes through the two nearest to zero. The curves are means of
 /// lines and parabolas, weighted by the curvature up to twice as far; what a parabola may leave is in the error. The

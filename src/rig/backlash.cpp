@@ -192,14 +192,15 @@ double unloaded_torque(Samples const& samples, std::vector<LoadBranch> const& br
     return std::abs(middle) > std::max({reach.gap, up->apart, down->apart}) ? middle : 0;
 }
 
-std::optional<Jump> jump_of_play(Samples const& samples, LoadBranch const& branch, double friction, Reach const& reach,
-                                 Noise const& noise)
+std::optional<Jump> jump_of_play(Samples const& samples, LoadBranch const& branch, Found const& friction,
+                                 Reach const& reach, Noise const& noise)
 {
     constexpr double spread = 1.25;  // of the friction about its median
-    double const beside = reach.far / 2, known = branch.rising ? friction : -friction;
+    double const beside = reach.far / 2, farthest = spread * friction.value + beside;
+    double const known = branch.rising ? friction.value : -friction.value;
     std::vector<std::size_t> const at = by_torque(samples, branch);
-    auto const place = branch.rising ? place_of_jump(samples, at, -beside, spread * friction + beside, reach.far)
-                                     : place_of_jump(samples, at, -spread * friction - beside, beside, reach.far);
+    auto const place = branch.rising ? place_of_jump(samples, at, -beside, farthest, reach.far)
+                                     : place_of_jump(samples, at, -farthest, beside, reach.far);
     auto const found = place ? crossing_about(samples, at, *place, reach.far) : std::nullopt;
     if (!found)
         return std::nullopt;
@@ -208,6 +209,8 @@ std::optional<Jump> jump_of_play(Samples const& samples, LoadBranch const& branc
     };
     Jump jump = jump_at(std::abs(found->torque - known) < reach.gap / 2 ? known : found->torque);
     jump.seen = is_clear(jump.heights);
+    if (!jump.seen && friction.value + friction.error > farthest)
+        return std::nullopt;
     if (!jump.seen)
         jump = jump_at(known);
     return jump.heights.empty() ? std::nullopt : std::optional(jump);

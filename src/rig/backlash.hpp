@@ -43,8 +43,9 @@ struct Jump
 /// bias.
 /// @param friction  as friction_torque() finds it [N mm]
 /// @returns nothing where the branch does not pass through all of these torques, or has fewer than three readings on
-/// either side within the reach, or fewer than two beyond the gap
-[[nodiscard]] std::optional<Jump> jump_of_play(Samples const& samples, LoadBranch const& branch, double friction,
+/// either side within the reach, or fewer than two beyond the gap; nor where no clear height is found, and the friction
+/// may be larger than all torques looked at
+[[nodiscard]] std::optional<Jump> jump_of_play(Samples const& samples, LoadBranch const& branch, Found const& friction,
                                                Reach const& reach, Noise const& noise);
 
 }  // namespace hdconj::rig

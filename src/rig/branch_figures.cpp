@@ -149,7 +149,7 @@ void add_branch(Samples const& curve, LoadBranch const& branch, BranchLimits con
 
 }  // namespace
 
-BranchFigures branch_figures(Samples const& samples, std::vector<LoadBranch> const& branches, double friction,
+BranchFigures branch_figures(Samples const& samples, std::vector<LoadBranch> const& branches, Found const& friction,
                              BranchLimits limits)
 {
     BranchFigures all;

@@ -34,6 +34,6 @@ struct BranchFigures
 /// All branches.
 /// @param friction  as friction_torque() finds it [N mm]
 [[nodiscard]] BranchFigures branch_figures(Samples const& samples, std::vector<LoadBranch> const& branches,
-                                           double friction, BranchLimits limits);
+                                           Found const& friction, BranchLimits limits);
 
 }  // namespace hdconj::rig

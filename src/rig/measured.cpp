@@ -72,7 +72,26 @@ Samples kept_samples(MeasuredCurve const& curve, std::vector<std::size_t> const&
     return kept;
 }
 
-/// Backlash, width of the loop and friction of all branches.
+/// What friction makes of the loop's width, by what is found under load.
+///
+/// Coulomb friction F moves the angle by F/k to either side, with k of the first stage. Friction that holds back an
+/// angle, not a torque, may be that of the second stage: half of what both widths differ by is in the error.
+Estimate width_by_friction(MeasuredStiffness const& found)
+{
+    bool const bent = found.first.count > 0 && found.second.count > 0;
+    Estimate const& stiffness = bent ? found.first : found.whole;
+    if (stiffness.count == 0)
+        return {};
+    double const width = 2 * found.friction.value / stiffness.value;
+    double const of_second = bent ? 2 * found.friction.value / found.second.value : width;
+    return {width,
+            std::hypot(std::hypot(2 * found.friction.error, width * stiffness.error) / stiffness.value,
+                       (width - of_second) / 2),
+            found.loop_width.count};
+}
+
+/// Backlash, width of the loop and what friction makes of it. Where no branch shows the jump, that follows from the
+/// friction: @p result has it, and the stiffness.
 /// @param drift_error  standard error of the drift [rad per reading]
 void add_loop(BranchFigures const& all, double drift_error, MeasuredStiffness& result)
 {
@@ -98,9 +117,13 @@ void add_loop(BranchFigures const& all, double drift_error, MeasuredStiffness& r
         return each;
     };
     result.loop_width = with_drift(rig::extrapolated(width));
-    result.backlash = jump.empty() ? result.loop_width : rig::extrapolated(jump);
-    if (jump.empty())
+    if (jump.empty()) {
+        result.friction_width = width_by_friction(result);
+        result.backlash = {result.loop_width.value - result.friction_width.value,
+                           std::hypot(result.loop_width.error, result.friction_width.error), result.loop_width.count};
         return;
+    }
+    result.backlash = rig::extrapolated(jump);
     // Width and jumps share half of their lines, so that the variance of the width counts half.
     std::vector<Estimate> by_friction;
     for (std::size_t j = 0; j < std::min(width.size(), jump.size()); ++j)
@@ -172,22 +195,22 @@ MeasuredStiffness measured_stiffness(MeasuredCurve const& curve)
     limits.loaded = measured_at::loaded * least;
     limits.reach = reach_of(result);
     Found const friction = rig::friction_torque(samples, branches, limits.noise.rounding > 0 ? result.angle_step : 0);
-    BranchFigures const all = rig::branch_figures(samples, branches, friction.value, limits);
+    BranchFigures const all = rig::branch_figures(samples, branches, friction, limits);
     if (all.positive.empty() || all.negative.empty())
         refuse(curve,
                std::string("the load is never taken off from the ") + (all.positive.empty() ? "positive" : "negative") +
                    " side",
                "write a whole load cycle: 0, T, 0, -T, 0; without unloading there is no width of the loop");
-    add_loop(all, limits.drift_error, result);
     result.friction = {friction.value, friction.error, static_cast<int>(branches.size()) - 1};
     result.first = of_bent_branches(all, all.first);
     result.second = of_bent_branches(all, all.second);
     result.knee = of_bent_branches(all, all.knee);
     result.whole = mean_of(all.whole);
     result.straight = all.straight;
+    add_loop(all, limits.drift_error, result);
     // Nobody knows at which torque the flanks meet: all of these may contain the play and the friction.
     if (all.jumps.empty() && friction.value > limits.reach.gap) {
-        result.backlash = result.first = result.second = result.knee = result.whole = {};
+        result.backlash = result.friction_width = result.first = result.second = result.knee = result.whole = {};
         result.straight = 0;
     }
     return result;

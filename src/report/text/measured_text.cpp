@@ -85,7 +85,7 @@ void write_measured(Page& page, LoadCase const* simulated, Measurement const& me
     if (found.backlash.count == 0)
         page.line("  friction leaves too few readings beyond the play: backlash and stiffness are not determined");
     else if (found.friction_width.count == 0)
-        page.line("  too few readings near zero torque to tell the width by friction from backlash");
+        page.line("  too few readings to tell the width by friction from backlash");
     if (found.straight > 0) {
         page.line("  {} of {} loading branches are one straight line and are left out of the stages", found.straight,
                   found.whole.count);

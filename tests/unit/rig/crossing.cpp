@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Readings inside the backlash, curves that bend near zero torque, bends near either end, and logs without strays.
+// Readings inside the backlash or too few beside it, curves that bend near zero torque, bends near either end, and logs
+// without strays.
 #include <cmath>
 #include <random>
 
@@ -95,6 +96,53 @@ TEST_CASE("readings inside the backlash do not change it", "[load][measured]")
                 CHECK(pull(found.first, rig.drive.first) < 4);
                 CHECK(std::abs(found.torque_middle - rig.torque_offset) < 0.3 * nm);
             }
+}
+
+TEST_CASE("where too few readings show the backlash, friction under load tells it from the loop", "[load][measured]")
+{
+    constexpr int tries = 25;
+    for (int const per_branch : {14, 16, 20})
+        for (double const friction : {0.0, 0.3, 0.5}) {
+            double squares = 0, mean = 0;
+            Rig rig;
+            rig.drive.backlash = 1 * minute;
+            rig.drive.first = 100 * sample::nm_per_degree;
+            rig.cycles = 2;
+            rig.per_branch = per_branch;
+            rig.angle_noise = 0.02 * minute;
+            rig.coulomb = friction * nm;
+            for (rig.seed = 1; rig.seed <= tries; ++rig.seed) {
+                auto const found = measured_stiffness(rig_loop(rig));
+                double const deviation = (found.backlash.value - rig.drive.backlash) / found.backlash.error;
+                squares += deviation * deviation / tries;
+                mean += deviation / tries;
+                CHECK(found.backlash.value + found.friction_width.value ==
+                      Approx(found.loop_width.value).epsilon(1e-12));
+                CHECK(found.backlash.error < 0.25 * minute);
+            }
+            INFO(per_branch << " readings, friction " << friction << ", " << std::sqrt(squares) << ", " << mean);
+            CHECK(std::sqrt(squares) < 1.2);
+            CHECK(std::abs(mean) < 0.6);  // three standard errors of the mean of so many
+        }
+}
+
+TEST_CASE("a drift that nothing tells is in the error of the backlash", "[load][measured]")
+{
+    Rig rig;
+    rig.cycles = 1;  // nothing is repeated
+    rig.last_stretch = false;
+    rig.per_branch = 20;
+    rig.angle_noise = 0.01 * minute;
+    for (double const drift : {-1.0, 1.0}) {
+        rig.drift = drift * minute;
+        CHECK(pull(measured_stiffness(rig_loop(rig)).backlash, rig.drive.backlash) < 2);
+    }
+    rig.per_branch = 300;
+    rig.coulomb = 4 * nm;  // the drift hides it, and the backlash is crossed far from zero torque
+    rig.drift = -4 * minute;
+    rig.angle_noise = 0.2 * minute;
+    for (rig.seed = 1; rig.seed <= 5; ++rig.seed)
+        CHECK(pull(measured_stiffness(rig_loop(rig)).backlash, rig.drive.backlash) < 3);
 }
 
 TEST_CASE("the error of the backlash contains the curvature below the readings", "[load][measured]")
