@@ -140,8 +140,8 @@ void remove_drift(MeasuredCurve const& curve, std::vector<LoadBranch> const& bra
     auto const drift = rig::drift_of(samples, branches, result.largest_torque);
     if (!drift)
         return;
-    double const readings = static_cast<double>(curve.twist.size());
-    result.drift = {drift->value * readings, drift->error * readings, 1};
+    double const intervals = static_cast<double>(curve.twist.size() - 1);
+    result.drift = {drift->value * intervals, drift->error * intervals, 1};
     limits.drift_error = drift->error;
     for (std::size_t i = 0; i < samples.twist.size(); ++i)
         samples.twist[i] -= drift->value * samples.time[i];

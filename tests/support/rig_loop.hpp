@@ -21,7 +21,7 @@ struct Rig
     double angle_step = 0;     ///< readings to the next step [rad]; 0: exact
     double friction = 0;       ///< the angle lags by this on either side [rad]
     double coulomb = 0;        ///< torque that friction takes on either side [N mm]
-    double drift = 0;          ///< of the angle over the log [rad]
+    double drift = 0;          ///< of the angle from the first reading to the last [rad]
     double strays = 0;         ///< fraction of readings that are off
     double stray_size = 0;     ///< by this, either way [rad]
     double offset = 0;         ///< of the angle [rad]
@@ -62,7 +62,7 @@ inline MeasuredCurve rig_loop(Rig const& rig)
         run(0, rig.torque / 28, std::max(1, rig.per_branch / 28));
     std::uniform_real_distribution<double> chance(0, 1);
     for (std::size_t i = 0; i < curve.twist.size(); ++i) {
-        curve.twist[i] += rig.drift * static_cast<double>(i) / static_cast<double>(curve.twist.size());
+        curve.twist[i] += rig.drift * static_cast<double>(i) / static_cast<double>(curve.twist.size() - 1);
         if (rig.strays > 0 && chance(random) < rig.strays)
             curve.twist[i] += chance(random) < 0.5 ? -rig.stray_size : rig.stray_size;
         if (rig.angle_step > 0)
