@@ -92,8 +92,26 @@ bool read_heading(HeaderReading const& reading, std::string_view text, std::size
     return true;
 }
 
+/// The heading that @p unknown most likely means, with its unit where that stands in brackets or, as in "torque in N m"
+/// and "angle_deg", behind the name; else with all units that are known.
+std::optional<std::string> meant_heading(std::string_view unknown, Quantity const& read, Quantity const& computed)
+{
+    file::Heading const heading = file::heading_of(unknown);
+    auto const name = nearest(heading.name, {read.name, computed.name, read.also, computed.also});
+    if (!name)
+        return std::nullopt;
+    Quantity const& meant = *name == read.name || *name == read.also ? read : computed;
+    std::string_view unit =
+        file::trimmed(heading.unit.value_or(heading.name.substr(std::min(name->size(), heading.name.size()))), " _/");
+    if (constexpr std::string_view in = "in "; file::lower_case(unit).starts_with(in))
+        unit = file::trimmed(unit.substr(in.size()));
+    if (file::factor_of(meant.units, plain_unit(unit)))
+        return fmt::format("{} [{}]", *name, unit);
+    return meant.may_lack_unit ? std::string(*name) : fmt::format("{} {}", *name, meant.known_units);
+}
+
 /// Requires one of two columns, and not both.
-/// @param unknown  names that are no quantity: one of them may be a misspelt one
+/// @param unknown  headings that name no quantity: one of them may be a misspelt one
 void require_one(HeaderReading const& reading, Quantity const& read, Quantity const& computed,
                  std::vector<std::string_view> const& unknown)
 {
@@ -105,9 +123,9 @@ void require_one(HeaderReading const& reading, Quantity const& read, Quantity co
     if (a.given() || b.given())
         return;
     std::string remedy = how_to_begin;
-    for (auto const name : unknown)
-        if (auto const meant = nearest(name, {read.name, computed.name, read.also, computed.also})) {
-            remedy = fmt::format("write {} in place of {}", *meant, name);
+    for (auto const heading : unknown)
+        if (auto const meant = meant_heading(heading, read, computed)) {
+            remedy = fmt::format("write {} in place of {}", *meant, heading);
             break;
         }
     reading.fault("header", "", fmt::format("there is no column \"{}\" or \"{}\"", read.name, computed.name), remedy);
@@ -125,7 +143,7 @@ MeasuredColumns measured_columns(std::string_view text, int line, std::string co
     std::vector<std::string_view> unknown;
     for (std::size_t i = 0; i < headings.size(); ++i)
         if (!read_heading(reading, headings[i], i))
-            unknown.push_back(file::heading_of(headings[i]).name);
+            unknown.push_back(headings[i]);
     if (std::ranges::all_of(headings, [](std::string_view each) { return file::number_in(each).has_value(); })) {
         reading.fault("header", std::string(text), "is missing: the file begins with numbers", how_to_begin);
         return columns;

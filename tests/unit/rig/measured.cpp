@@ -467,6 +467,23 @@ TEST_CASE("motor current and encoder counts become torque and angle at the outpu
     CHECK(reading.curve.line == std::vector<int>{2});
 }
 
+TEST_CASE("a heading written as advised is read", "[load][measured]")
+{
+    for (auto const& [written, advised] : {std::pair("torque in N m, angle in arcmin", "torque [N m], angle [arcmin]"),
+                                           {"Torque / N m, Angle / deg", "torque [N m], angle [deg]"},
+                                           {"load_Nmm, twist_rad", "load [Nmm], twist [rad]"},
+                                           {"torqe [mN m], angel [deg]", "torque [mN m], angle [deg]"}}) {
+        std::string const told = refusal(written + std::string("\n1,2\n")), better = advised;
+        INFO(told);
+        auto const comma = better.find(',');
+        CHECK_THAT(told, ContainsSubstring("write " + better.substr(0, comma) + " in place of"));
+        CHECK_THAT(told, ContainsSubstring("write " + better.substr(comma + 2) + " in place of"));
+        CHECK(read(better + "\n1,2\n").faults.empty());
+    }
+    CHECK_THAT(refusal("torqe, angle [deg]\n1,2\n"),
+               ContainsSubstring("write torque [N m], [N mm] or [mN m] in place of torqe"));
+}
+
 TEST_CASE("a file with faults says which where and what to write", "[load][measured]")
 {
     RigOptions rig;
@@ -477,7 +494,7 @@ TEST_CASE("a file with faults says which where and what to write", "[load][measu
     CHECK_THAT(refusal("1,2\n3,4\n"),
                ContainsSubstring("curve.csv line 1: header") && ContainsSubstring("begins with numbers"));
     CHECK_THAT(refusal("angle [deg], torqe [N m]\n"), ContainsSubstring("no column \"torque\" or \"current\"") &&
-                                                          ContainsSubstring("write torque in place of torqe"));
+                                                          ContainsSubstring("write torque [N m] in place of torqe"));
     CHECK_THAT(refusal("angle, torque [N m]\n"), ContainsSubstring("line 1: column 1 = angle: the unit is missing") &&
                                                      ContainsSubstring("[deg], [arcmin]"));
     CHECK_THAT(
