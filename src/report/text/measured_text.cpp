@@ -72,10 +72,8 @@ void write_measured(Page& page, LoadCase const* simulated, Measurement const& me
     for (auto const& figure : figures::measured_figures())
         write_estimate(page, figure, measured, simulated);
     if (curve.rig.angle_per_spline != 1) {
-        page.line(
-            "  at the output, which is the cup: its angles are {:.6g} times those of the circular spline in the tables "
-            "above",
-            curve.rig.angle_per_spline);
+        page.line("  at the output, which is the cup: its angles are {:.6g} times those of the circular spline{}",
+                  curve.rig.angle_per_spline, simulated != nullptr ? " in the tables above" : "");
     }
     write_strays(page, measured);
     if (found.torque_middle != 0)

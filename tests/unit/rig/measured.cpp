@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "hdconj/error.hpp"
+#include "hdconj/load_files.hpp"
 #include "hdconj/measured.hpp"
 #include "support/catch.hpp"
 #include "support/rig_loop.hpp"
@@ -465,6 +466,14 @@ TEST_CASE("motor current and encoder counts become torque and angle at the outpu
     CHECK(reading.curve.torque[0] == Approx(0.119 * 50 * 0.5 * nm).epsilon(1e-12));
     CHECK(reading.curve.twist[0] == Approx(-2 * std::numbers::pi / 50).epsilon(1e-12));
     CHECK(reading.curve.line == std::vector<int>{2});
+}
+
+TEST_CASE("a measured curve by itself is told without a simulation", "[load][measured]")
+{
+    MeasuredCurve curve = rig_loop({});
+    curve.rig.angle_per_spline = 1.01;
+    std::string const told = summary_text(Measurement{curve, measured_stiffness(curve)});
+    CHECK_THAT(told, ContainsSubstring("its angles are 1.01 times those of the circular spline\n"));
 }
 
 TEST_CASE("a heading written as advised is read", "[load][measured]")
