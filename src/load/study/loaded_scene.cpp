@@ -63,6 +63,34 @@ void validate_harmonics(LoadRequest const& request, int highest, Faults& faults)
                           "more than the angles of the teeth tell apart", fmt::format("write at most {}", highest)});
 }
 
+/// Where the scene gives @p key; the file is empty for the scene's own.
+std::pair<int, std::string> place_of(Scene const& scene, std::string const& key)
+{
+    auto const given = scene.given.find(key);
+    int const line = given == scene.given.end() ? 0 : given->second.line;
+    return {line, line > 0 ? "" : "--set"};
+}
+
+/// Rigid balls hold the outer ring at as many points: no more than its harmonics have coefficients.
+void validate_balls(Scene const& scene, Faults& faults)
+{
+    if (!scene.bearing || !scene.bearing->balls || scene.bearing->radial_stiffness)
+        return;
+    load::RingGrid const around = load::ring_grid(scene);
+    int const balls = *scene.bearing->balls, sectors = around.sectors;
+    int const most = 2 * load::highest_harmonic(scene.load.value_or(LoadRequest()).harmonics, around) + sectors;
+    if (balls <= most)
+        return;
+    int const enough = balls / sectors / 2 * sectors;
+    auto const [line, file] = place_of(scene, "bearing.balls");
+    faults.push_back(
+        {"bearing.balls", line, fmt::format("{}", balls),
+         fmt::format("more rigid balls than the harmonics of the outer ring tell apart, {}", most),
+         (enough <= around.highest_harmonic() ? fmt::format("write load.harmonics = {}, or ", enough) : "") +
+             "leave the number out for a continuous row of balls",
+         file});
+}
+
 /// Stiffnesses between torques need these in order; where both are given: scene/axial_faults.cpp.
 void validate_catalogue(Scene const& scene, LoadOptions const& options, Faults& faults)
 {
@@ -72,10 +100,9 @@ void validate_catalogue(Scene const& scene, LoadOptions const& options, Faults& 
     auto const [first, second, lost_motion] = load::catalogue_torques(scene, rated);
     auto const in_nm = [](double torque) { return short_number(torque / newton_metre) + " N m"; };
     auto const fault = [&](char const* key, double value, std::string const& reason, char const* side, double limit) {
-        auto const given = scene.given.find(key);
-        int const line = given == scene.given.end() ? 0 : given->second.line;
+        auto const [line, file] = place_of(scene, key);
         faults.push_back({key, line, short_number(value / newton_metre), reason + ", " + in_nm(limit),
-                          fmt::format("write one {} {}", side, in_nm(limit)), line > 0 ? "" : "--set"});
+                          fmt::format("write one {} {}", side, in_nm(limit)), file});
     };
     if (scene.load->first_torque && !(first < second))
         fault("load.first_torque", first, "T1 is not below the usual T2", "below", second);
@@ -114,6 +141,7 @@ Faults check_either_sense(Scene const& scene, LoadOptions const& options)
         validate_catalogue(scene, options, faults);
     if (scene.load && scene.given.contains("load.harmonics"))
         validate_harmonics(*scene.load, load::ring_grid(scene).highest_harmonic(), faults);
+    validate_balls(scene, faults);
     require_whole(faults, "--points", options.points, 1, scene::bounds::most_torques,
                   "one such as 10, or leave it out for as many as the stiffness needs");
     validate_completed(scene, options, faults);

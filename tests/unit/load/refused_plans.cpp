@@ -60,4 +60,25 @@ TEST_CASE("plans of load and run refuse a cup and a bearing that do not fit, eac
     CHECK(check_load(bent, {}).empty());
 }
 
+TEST_CASE("more rigid balls than the ring's harmonics tell apart are refused with all ways out", "[load]")
+{
+    auto const remedy = [](char const* teeth, std::string const& balls, char const* more = "bearing.fit=0") {
+        Scene const scene = builtin_scene(
+            {"load.torque=20", std::string("drive.flexspline_teeth=") + teeth, "bearing.balls=" + balls, more});
+        for (Fault const& each : check_load(scene, {}))
+            if (each.path == "bearing.balls")
+                return each.reason + ": " + each.remedy;
+        return std::string();
+    };
+    CHECK_THAT(remedy("160", "400"), ContainsSubstring("tell apart, 202: write load.harmonics = 200, or leave") &&
+                                         ContainsSubstring("continuous row"));
+    CHECK(remedy("160", "400", "load.harmonics=200").empty());
+    CHECK_FALSE(remedy("160", "400", "load.harmonics=199").empty());
+    CHECK(remedy("160", "202").empty());
+    CHECK_THAT(remedy("160", "203"), ContainsSubstring("load.harmonics = 101,"));
+    CHECK(remedy("160", "203", "load.harmonics=101").empty());
+    CHECK_THAT(remedy("200", "400"), ContainsSubstring("202: leave"));  // its teeth tell no more apart
+    CHECK(remedy("160", "400", "bearing.radial_stiffness=2000").empty());
+}
+
 }  // namespace hdconj::test::refused_plan_cases
