@@ -109,9 +109,10 @@ void write_columns(Writer const& place, char const* dim, figures::Rows<Record> c
     }
 }
 
-/// Attributes of one record, whose names end in the unit.
+/// Attributes of one record, whose names end in the unit. @param estimated  false: errors are 0
 template <class Record>
-void write_attributes(Writer const& place, figures::Rows<Record> const& rows, Record const& record)
+void write_attributes(Writer const& place, figures::Rows<Record> const& rows, Record const& record,
+                      bool estimated = true)
 {
     rows.for_each_name([&](auto const& figure) {
         std::string const suffix = figure.unit.attribute_suffix();
@@ -120,7 +121,7 @@ void write_attributes(Writer const& place, figures::Rows<Record> const& rows, Re
         else if (figure.is_in(figures::hdf5_value))
             place.attribute(figure.name, static_cast<int>(figure.value(record)));
         if (figure.is_in(figures::hdf5_error))
-            place.attribute(std::string(figure.name) + "_error" + suffix, figure.error(record));
+            place.attribute(std::string(figure.name) + "_error" + suffix, estimated ? figure.error(record) : 0.0);
     });
     for (auto const& figure : rows)
         if (figure.is_in(figures::hdf5_value))

@@ -16,7 +16,7 @@ void write_sequence(Writer const& place, RunSequence const& sequence)
     place.attribute("torque_Nmm", sequence.torque);
     place.attribute("estimated", sequence.estimated ? 1 : 0);
     place.attribute("seconds", sequence.seconds);
-    layout::write_attributes(place, figures::run_sequence_figures(under_torque), sequence);
+    layout::write_attributes(place, figures::run_sequence_figures(under_torque), sequence, sequence.estimated);
     layout::write_columns(place, "position", figures::run_position_rows(under_torque), sequence.positions, "",
                           sequence.estimated);
     if (!sequence.orders.empty())
