@@ -59,9 +59,11 @@ struct RunSequence
 {
     RunSpan span = RunSpan::tooth_pitch;      ///< that the positions go over
     double torque = 0;                        ///< on the output [N mm]; 0: first contact of the loaded flanks
+    std::size_t planned = 0;                  ///< positions asked for: those without a result are not in `positions`
     std::vector<RunPosition> positions = {};  ///< in order of angle, the end of the period left out
     std::vector<RunOrder> orders = {};        ///< from the first on, as many as the positions tell apart
-    double peak_to_peak = 0;                  ///< of the error over the positions [rad]
+    double peak_to_peak = 0;                  ///< of the error over the positions; of fewer than three positions this
+                                              ///< and the other figures are NaN [rad]
     double peak_to_peak_error = 0;            ///< [rad]
     double rms = 0;                           ///< of the error about its mean [rad]
     double rms_error = 0;                     ///< [rad]
@@ -124,7 +126,8 @@ struct RunStudy
     double side_clearance = 0;              ///< that the outline of `solution` includes, as in ContactStudy [mm]
     std::vector<RunSequence> sequences;     ///< in order of span, without torque first
     std::optional<RunLosses> losses;        ///< with [friction] only
-    std::vector<std::string> missing;       ///< positions and torques without a result, each with its cause
+    std::vector<std::string> missing;       ///< positions and torques without a result, each with its cause; also in
+                                            ///< solution.notes
 };
 
 /// What is asked beside the scene. What is left out the scene says.

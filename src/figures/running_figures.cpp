@@ -18,10 +18,18 @@ inline constexpr Unit rpm{"rad/s", "rpm", "rpm", 60 / (2 * std::numbers::pi)};
 inline constexpr Unit celsius{"degC", "degC", "deg C"};
 inline constexpr Unit turn{"rad", "deg", "deg", per_deg};
 
+/// "-" where there is no value.
+template <std::string (*format)(double)>
+std::string if_determined(double value)
+{
+    return value == value ? format(value) : "-";
+}
+
 constexpr std::array error_figures = {
+    figure<&RunSequence::planned>("planned_positions", one, "positions asked for, with and without a result"),
     pair<&RunSequence::peak_to_peak, &RunSequence::peak_to_peak_error>(
         "peak_to_peak", arcsec, "transmission error, peak to peak over the positions",
-        {"peak to peak", significant<3>, two_digits}),
+        {"peak to peak", if_determined<significant<3>>, two_digits}),
     pair<&RunSequence::rms, &RunSequence::rms_error>("rms", arcsec, "its root mean square about the mean",
                                                      {"rms", significant<3>, two_digits}),
     figure<&RunSequence::seconds>("seconds", second, "wall time", {"time", significant<3>})
@@ -34,13 +42,6 @@ constexpr std::array torque_figures = {
         {"mean", significant<4>, two_digits}),
     pair<&RunSequence::torque_ripple, &RunSequence::torque_ripple_error>(
         "torque_ripple", newton_metre, "peak to peak of that torque", {"ripple", significant<3>, two_digits})};
-
-/// "-" where the wave generator takes no power.
-template <std::string (*format)(double)>
-std::string if_determined(double value)
-{
-    return value == value ? format(value) : "-";
-}
 
 template <class Row, std::size_t n, std::size_t m>
 constexpr auto both(std::array<Row, n> const& first, std::array<Row, m> const& second)

@@ -140,8 +140,13 @@ void run_elastic_sequence(running::PlannedSequence const& planned, GridPair cons
                          [&](double pitches) { return found.enter(drive.first_contact(pitches), pitches); }, told);
     };
     RunSequence sequence = sequence_of(drives.fine, observer, least);
-    if (drives.coarse != nullptr && plan.span != RunSpan::output_turn)
-        running::add_grid_error(sequence, sequence_of(*drives.coarse, silent, unused), drives.safety_of_sequences());
+    auto const stopped = [&] { return observer.stop && observer.stop(); };
+    if (drives.coarse != nullptr && plan.span != RunSpan::output_turn && !stopped()) {
+        RunSequence const coarse = sequence_of(*drives.coarse, silent, unused);
+        running::add_grid_error(sequence, coarse, drives.safety_of_sequences());
+        if (coarse.positions.size() < sequence.positions.size() && stopped())
+            observer.on_missing("stopped before the errors of all positions were known");
+    }
     if (plan.span == RunSpan::output_turn)
         for (RunSequence const& each : study.sequences)
             if (each.span == RunSpan::input_turn && each.torque == 0)
@@ -245,6 +250,7 @@ RunStudy study_run(Scene const& scene, RunOptions const& options, StageObserver 
     if (study.sequences.empty())
         throw NumericalError(ErrorCode::not_converged, "run", "positions of the wave generator", study.missing.front(),
                              "write a smaller torque, or another circular_spline.backlash_offset");
+    study.solution.notes.insert(study.solution.notes.end(), study.missing.begin(), study.missing.end());
     study.solution.plan = plan_run(scene, options);
     study.solution.scene = scene;
     std::ranges::copy(data->clock.times(), std::back_inserter(study.solution.timing));

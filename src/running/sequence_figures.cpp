@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -197,6 +198,15 @@ void enter_figures(RunSequence& sequence, SpanPlan const& plan, RunningMotion co
         enter_orders(sequence, plan, motion, *drift);
     if (sequence.torque != 0)
         enter_torque(sequence, plan, motion);
+}
+
+void leave_undetermined(RunSequence& sequence)
+{
+    for (double RunSequence::*const figure :
+         {&RunSequence::peak_to_peak, &RunSequence::peak_to_peak_error, &RunSequence::rms, &RunSequence::rms_error,
+          &RunSequence::mean_torque, &RunSequence::mean_torque_error, &RunSequence::torque_ripple,
+          &RunSequence::torque_ripple_error})
+        sequence.*figure = std::numeric_limits<double>::quiet_NaN();
 }
 
 void add_grid_error(RunSequence& sequence, RunSequence const& coarse, double safety)

@@ -18,6 +18,9 @@ namespace hdconj::running {
 void enter_figures(RunSequence& sequence, SpanPlan const& plan, RunningMotion const& motion,
                    std::optional<double> drift = 0.0);
 
+/// Of fewer than three positions nothing is known: all figures and their errors are NaN.
+void leave_undetermined(RunSequence& sequence);
+
 /// Adds the error of the grid: what peak to peak and rms of the difference of both grids come to, times @p safety. Two
 /// grids may agree by chance in a single position or order: these get no less than what is usual, with a larger factor.
 /// Nothing where the coarse grid has less than half of the positions.

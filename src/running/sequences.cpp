@@ -37,7 +37,7 @@ RunSequence along(SpanPlan const& plan, RunningMotion const& motion, double torq
                   Act act)
 {
     auto const begin = Clock::now();
-    RunSequence sequence{.span = plan.span, .torque = torque};
+    RunSequence sequence{.span = plan.span, .torque = torque, .planned = plan.pitches.size()};
     for (double const pitches : plan.pitches) {
         if (observer.stop && observer.stop()) {
             if (observer.on_missing)
@@ -60,6 +60,8 @@ RunSequence along(SpanPlan const& plan, RunningMotion const& motion, double torq
     }
     if (sequence.positions.size() > 2)
         enter_figures(sequence, plan, motion, drift_of(sequence, plan, act));
+    else
+        leave_undetermined(sequence);
     sequence.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     return sequence;
 }

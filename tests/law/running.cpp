@@ -249,6 +249,8 @@ TEST_CASE("tips that pass each other do not move the first contact", "[running]"
     RunSequence const& contacts = sequence(study, RunSpan::tooth_pitch, false);
     REQUIRE(contacts.positions.size() == 4);
     CHECK(contacts.peak_to_peak < arcsec);
+    REQUIRE_FALSE(study.missing.empty());
+    CHECK(study.solution.notes.back() == study.missing.back());
 }
 
 TEST_CASE("a running drive is in the balance of load, and its wave generator carries T/i", "[running]")

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 
 #include "figures/number_text.hpp"
 #include "figures/running_figures.hpp"
@@ -9,11 +10,14 @@
 namespace hdconj::report {
 namespace {
 
-/// A figure, none of which is negative, with its error; where that exceeds a third of it, what it is at most.
+/// A figure, none of which is negative, with its error; where that exceeds a third of it, what it is at most. NaN: what
+/// fewer than three positions do not tell.
 template <class Record>
 std::string told_with_error(figures::Rows<Record> const& rows, Record const& record, char const* name, bool estimated)
 {
     auto const& row = rows[name];
+    if (std::isnan(row.value(record)))
+        return "not determined";
     if (!estimated)
         return row.value_with_unit(record) + " (no error estimate)";
     double const value = row.value(record), error = row.error(record);
@@ -26,7 +30,9 @@ void write_sequence(Page& page, RunSequence const& sequence)
 {
     bool const under_torque = sequence.torque != 0;
     auto const rows = figures::run_sequence_figures(under_torque);
-    page.line("\n{}, {} positions, {}", figures::span_words(sequence.span), sequence.positions.size(),
+    std::size_t const found = sequence.positions.size();
+    page.line("\n{}, {} positions, {}", figures::span_words(sequence.span),
+              found < sequence.planned ? fmt::format("{} of {}", found, sequence.planned) : fmt::format("{}", found),
               under_torque ? fmt::format("{:g} N m", sequence.torque * per_newton_metre) : "unloaded");
     page.line("  transmission error        {}, rms {}",
               told_with_error(rows, sequence, "peak_to_peak", sequence.estimated),
@@ -122,9 +128,7 @@ std::string summary_text(RunStudy const& study, std::vector<WrittenFile> const& 
         report::write_sequence(page, each);
     if (study.losses)
         report::write_losses(page, *study.losses);
-    std::vector<std::string> notes = study.solution.notes;
-    notes.insert(notes.end(), study.missing.begin(), study.missing.end());
-    report::write_notes(page, notes);
+    report::write_notes(page, study.solution.notes);
     report::write_end(page, study.solution, written);
     return page.text();
 }

@@ -133,6 +133,23 @@ TEST_CASE("a position's error is that about the mean, and none is small by chanc
     CHECK(sequence.positions[3].error_error == Approx(one + 0.5));
 }
 
+TEST_CASE("a sequence that was stopped says how much of it there is", "[running]")
+{
+    for (std::size_t const done : {0U, 2U, 12U}) {
+        CAPTURE(done);
+        std::size_t asked = 0;
+        std::string told;
+        RunSequence const found = running::first_contacts(
+            running::tooth_pitch_plan(16), motion_of_200(), [](double at) { return std::cos(2 * pi * at); },
+            {[&] { return ++asked > done; }, {}, [&](std::string const& cause) { told = cause; }});
+        CHECK(found.positions.size() == done);
+        CHECK(found.planned == 16);
+        for (double const figure : {found.peak_to_peak, found.peak_to_peak_error, found.rms, found.rms_error})
+            CHECK(std::isnan(figure) == (done < 3));
+        CHECK_THAT(told, ContainsSubstring("of 16 positions"));
+    }
+}
+
 TEST_CASE("a sequence with missing positions has fewer orders and all its errors", "[running]")
 {
     auto const wave = [](double at) { return std::cos(2 * pi * at) + 0.2 * std::cos(6 * pi * at + 1); };
