@@ -171,6 +171,13 @@ struct UnsettledTorque
     std::string cause;  ///< in words, with what can be done
 };
 
+/// Tips of the assembled drive that interfere along a radius as they pass each other: no turn brings them apart.
+struct TipInterference
+{
+    double depth = 0;      ///< [mm]
+    double least_tip = 0;  ///< tip circle of the circular spline with which they pass [mm]
+};
+
 /// One surface of the circular spline under load.
 struct LoadCase
 {
@@ -184,6 +191,11 @@ struct LoadCase
     /// By how much the tip circle was widened beyond the surface's own, so that the teeth are clear or that a land is
     /// left [mm].
     double tip_radius_increase = 0;
+    /// Side clearance and tip circle are those with which the teeth of the unloaded cup clear over a full turn: with
+    /// the scene's the assembled teeth press on both flanks, or their tips interfere.
+    bool cleared = false;
+    std::optional<TipInterference> given_tips;  ///< with the scene's side clearance and tip circle, where not used
+    std::optional<TipInterference> tips;        ///< with those used; the backlash is negative then
     double backlash = 0;             ///< without torque [rad]; negative: the assembled teeth press on both flanks
     std::vector<LoadedState> curve;  ///< in order of growing torque, from -T to T; without a curve: T alone
     std::vector<UnsettledTorque> unsettled;  ///< torques of the path that are missing in curve

@@ -52,4 +52,18 @@ std::optional<Note> backlash(Scene const& scene, double turn, double side_cleara
     return note;
 }
 
+std::optional<Note> tip_interference(double turn, double depth, double least_tip)
+{
+    auto note = note_on(NoteCode::backlash, 60 * to_deg(turn));
+    if (!note)
+        return note;
+    note->place = "circular_spline.inner_radius";
+    note->cause = "without torque tips interfere by " + short_number(depth * per_um, 3) +
+                  " um along the radius, and no turn brings them apart";
+    std::string const enough = short_number(std::ceil(1e4 * least_tip) / 1e4);
+    note->advice = "write circular_spline.inner_radius = " + enough;
+    note->set = {"circular_spline.inner_radius=" + enough};
+    return note;
+}
+
 }  // namespace hdconj::judgement

@@ -35,6 +35,12 @@ struct UnsolvedPair
 [[nodiscard]] std::optional<Note> backlash(Scene const& scene, double turn, double side_clearance,
                                            std::string const& where);
 
+/// Tips that interfere along a radius when the drive is assembled.
+/// @param turn       between first contacts, below 0 [rad]
+/// @param depth      of the interference [mm]
+/// @param least_tip  tip circle with which the tips pass [mm]
+[[nodiscard]] std::optional<Note> tip_interference(double turn, double depth, double least_tip);
+
 /// A circular spline whose front end has no tooth beside it, since the cup pulls its open end towards the bottom.
 /// @param front  face of the flexspline's teeth at the major axis, on the assembled cup, above z = 0 [mm]
 /// Domain: a scene with the width of the circular spline.

@@ -25,7 +25,9 @@ void describe_drive(contact::ContactStudyData& data, load::ElasticDrive const& d
     study.side_clearance = pipeline::write_part(
         study.solution, data, {written.surface, written.kind.value_or(TiltKind::radial), written.tilt}, written.tip,
         written.backlash_offset);
-    if (auto const note = judgement::backlash(scene, written.backlash, written.backlash_offset, ""))
+    if (auto const note =
+            written.tips ? judgement::tip_interference(written.backlash, written.tips->depth, written.tips->least_tip)
+                         : judgement::backlash(scene, written.backlash, written.backlash_offset, ""))
         study.solution.judgement.push_back(*note);
     std::vector<StageTime> const times = data.clock.times();
     study.solution.timing.insert(study.solution.timing.end(), times.begin(), times.end());

@@ -179,6 +179,7 @@ inline LoadStudy load_study(int slice_count = 9)
                              {5.1 * minute, 120 * nm_per_degree, 240 * nm_per_degree, 11 * nm}, z)};
     study.cases[0].side_clearance_increased = true;
     study.cases[0].tip = 25.107695;
+    study.cases[0].cleared = true;
     study.cases[2].tip = 25.03;
     study.cases[2].tip_radius_increase = 0.0827;
     constexpr double nm_per_rad = 1000;

@@ -43,20 +43,30 @@ SurfaceWithPlay surface_with_play(contact::ContactContext const& context, Assemb
                                   surface::SurfaceSpec const& choice)
 {
     bool const automatic = context.scene.circular_spline.automatic_backlash;
-    auto const play_in = [&](contact::FlankSurface const& surface) {
-        return play_of(load_problem(context, drive.model.drive, surface.grid), drive.unloaded.shape);
+    LoadedShape const& shape = drive.unloaded.shape;
+    auto const problem_of = [&](contact::FlankSurface const& surface) {
+        return load_problem(context, drive.model.drive, surface.grid);
     };
-    contact::FlankSurface surface = contact::flank_surface(context, choice);
-    std::optional<Play> play = play_in(surface);
+    auto const tips_of = [&](contact::FlankSurface const& surface, double turn) {
+        double const overlap = tip_overlap(problem_of(surface), shape, turn);
+        return overlap > 0 ? std::optional(TipInterference{overlap, surface.tip + overlap}) : std::nullopt;
+    };
+    SurfaceWithPlay result{.surface = contact::flank_surface(context, choice)};
+    std::optional<Play> play = play_of(problem_of(result.surface), shape);
     if (!automatic && !(play && width_of(*play) >= 0)) {
+        result.cleared = true;
+        result.given_tips = tips_of(result.surface, 0);
         contact::FlankSurface cleared = contact::flank_surface(context, choice, true);
-        if (cleared.grid.point != surface.grid.point)  // the play of the same flanks is known
-            play = play_in(cleared);
-        surface = std::move(cleared);
+        if (cleared.grid.point != result.surface.grid.point)  // the play of the same flanks is known
+            play = play_of(problem_of(cleared), shape);
+        result.surface = std::move(cleared);
     }
     if (!play)
-        refuse_assembly(context.scene, choice, surface.offset);
-    return {std::move(surface), *play};
+        refuse_assembly(context.scene, choice, result.surface.offset);
+    result.play = *play;
+    if (width_of(*play) < 0)
+        result.tips = tips_of(result.surface, middle_of(*play));
+    return result;
 }
 
 namespace {
@@ -74,6 +84,9 @@ LoadCase assembled_case(contact::ContactContext const& context, surface::Surface
     result.backlash_offset = assembled.surface.offset;
     result.tip = assembled.surface.tip;
     result.tip_radius_increase = contact::tip_radius_increase(context, assembled.surface.tip);
+    result.cleared = assembled.cleared;
+    result.given_tips = assembled.given_tips;
+    result.tips = assembled.tips;
     result.backlash = width_of(assembled.play);
     return result;
 }

@@ -15,15 +15,18 @@
 
 namespace hdconj::load {
 
-/// A surface with the play that it leaves.
+/// A surface with the play that it leaves; the rest is as in LoadCase.
 struct SurfaceWithPlay
 {
     contact::FlankSurface surface;
-    Play play;
+    Play play = {};
+    bool cleared = false;
+    std::optional<TipInterference> given_tips = std::nullopt;
+    std::optional<TipInterference> tips = std::nullopt;
 };
 
-/// The surface with the scene's side clearance or, where with that the assembled teeth press on both flanks, with the
-/// smallest that clears.
+/// The surface with the scene's side clearance or, where with that the assembled teeth press on both flanks or their
+/// tips along a radius, with the smallest that clears.
 /// @throws NumericalError where the teeth interfere at every turn
 [[nodiscard]] SurfaceWithPlay surface_with_play(contact::ContactContext const& context, AssembledDrive const& drive,
                                                 surface::SurfaceSpec const& choice);

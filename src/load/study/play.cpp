@@ -13,7 +13,8 @@
 namespace hdconj::load {
 namespace {
 
-constexpr double touching = 1e-3;  ///< of the module: mesh and interpolation move teeth by some nanometres
+constexpr double nearly_radial = 0.01;  ///< lever over the reach of a contact that a turn does not open
+constexpr double touching = 1e-3;       ///< of the module: mesh and interpolation move teeth by some nanometres
 
 double pitch_of(LoadProblem const& problem)
 {
@@ -30,13 +31,12 @@ struct TurnedTeeth
 
 /// Turn from @p from on in the direction @p sense at which the first flank of either side touches: a tip may touch on
 /// the far side of its space. Newton's method on the smallest of all gaps, with steps within the gaps searched. Teeth
-/// that interfere along a radius, as tips do that pass each other, are not opened by a turn: they do not count. Nothing
-/// where it does not converge within a pitch.
+/// that interfere along a radius, as tips do that pass each other, are not opened by a turn: they do not count, and
+/// play_of() looks for them first. Nothing where it does not converge within a pitch.
 /// @param limit  of the gaps searched [mm]: a large one takes large steps, a small one looks at few flanks
 std::optional<double> first_touch(LoadProblem const& problem, contact::GapField const& field, TurnedTeeth from,
                                   double sense, double limit)
 {
-    constexpr double nearly_radial = 0.01;  // lever over the reach
     double const shortest_lever = nearly_radial * field.reach();
     auto& [turn, contacts, known] = from;
     double const begin = turn;
@@ -83,6 +83,16 @@ TurnedTeeth teeth_at(LoadProblem const& problem, contact::GapField const& field,
     return teeth;
 }
 
+/// See tip_overlap().
+double radial_overlap(LoadProblem const& problem, contact::GapField const& field, TurnedTeeth const& teeth)
+{
+    double deepest = -gap_tolerance(problem);
+    for (FlankContact const& c : teeth.contacts)
+        if (std::abs(c.lever) <= nearly_radial * field.reach())
+            deepest = std::min(deepest, c.gap);
+    return deepest < -gap_tolerance(problem) ? -deepest : 0;
+}
+
 /// Nothing where a side has no first touch.
 std::optional<Play> touches_from(LoadProblem const& problem, contact::GapField const& field, TurnedTeeth const& from,
                                  double limit)
@@ -120,12 +130,23 @@ std::optional<Play> play_of(LoadProblem const& problem, LoadedShape const& shape
             return play;
         constexpr double beyond = 16;  // times what touches
         double const limit = std::min(search_limit(problem), field.reach() * 0.5 * width_of(play) + beyond * touches);
-        return touches_from(problem, field, teeth_at(problem, field, middle_of(play), limit), limit).value_or(play);
+        double const middle = middle_of(play);
+        TurnedTeeth const teeth = teeth_at(problem, field, middle, limit);
+        // no turn opens this overlap; the gap of no contact grows by more than the turn times the reach
+        if (double const least = radial_overlap(problem, field, teeth) / field.reach(); least > 0)
+            return Play{middle - least, -middle - least};
+        return touches_from(problem, field, teeth, limit).value_or(play);
     } catch (NumericalError const& error) {
         if (error.code() != ErrorCode::no_contact && error.code() != ErrorCode::not_converged)
             throw;
         return std::nullopt;  // no turn within a pitch at which one side just touches
     }
+}
+
+double tip_overlap(LoadProblem const& problem, LoadedShape const& shape, double turn)
+{
+    contact::GapField const field = gap_field(problem, shape, problem.edges);
+    return radial_overlap(problem, field, teeth_at(problem, field, turn, 0));
 }
 
 Play play_about(LoadProblem const& problem, LoadedShape const& shape, double middle)

@@ -2,8 +2,10 @@
 #include "load_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "figures/load_figures.hpp"
+#include "hdconj/units.hpp"
 
 namespace hdconj::report {
 namespace {
@@ -56,19 +58,31 @@ void write_errors_of(Page& page, LoadStudy const& study, LoadCase const& each)
               marked(at, "largest_force"), each.error.largest_stress > 0 ? marked(at, "largest_stress") : "-");
 }
 
-/// The surfaces that are not as the scene gives them.
-void write_changed(Page& page, LoadStudy const& study)
+/// The surfaces that are not as the scene gives them, those that were cleared or the others.
+void write_changed(Page& page, LoadStudy const& study, bool cleared)
 {
-    page.line(
-        "  *: with the side clearance and tip circle of the scene the assembled teeth would press on both flanks, or "
-        "no land would be left; computed with those that clear the unloaded cup's teeth over a full turn:");
+    auto const belongs = [&](LoadCase const& each) { return is_changed(each) && each.cleared == cleared; };
+    if (std::ranges::none_of(study.cases, belongs))
+        return;
+    page.line("{}",
+              cleared
+                  ? "  *: with the side clearance and tip circle of the scene the assembled teeth would press on both "
+                    "flanks, or their tips would interfere; computed with those that clear the unloaded cup's "
+                    "teeth over a full turn:"
+                  : "  *: with the tip circle of the scene a slice would have no land, or touch the rim; computed "
+                    "with a wider one, clearance over a full turn not checked:");
     for (auto const& each : study.cases) {
+        if (!belongs(each))
+            continue;
         ToldLoad const told(figures::load_case_figures(), each);
-        if (is_changed(each)) {
-            page.line("    {}{:>9} um side clearance, tip circle {}, enlarged by {}",
-                      surface_columns(figures::load_case_figures(), each), told("backlash_offset"),
-                      told.with_unit("tip_radius"), told.with_unit("tip_radius_increase"));
-        }
+        page.line("    {}{:>9} um side clearance, tip circle {}, enlarged by {}",
+                  surface_columns(figures::load_case_figures(), each), told("backlash_offset"),
+                  told.with_unit("tip_radius"), told.with_unit("tip_radius_increase"));
+        if (each.given_tips)
+            page.line(
+                "      tips would interfere by {:.2f} um along the radius; with circular_spline.inner_radius = "
+                "{:.4f} they pass",
+                per_um * each.given_tips->depth, std::ceil(1e4 * each.given_tips->least_tip) / 1e4);
     }
 }
 
@@ -91,10 +105,12 @@ void write_legend(Page& page, LoadStudy const& study)
             "  stress: largest in the sharp corners between barrel and toothed ring, where it grows with a finer mesh; "
             "write rear_fillet and front_fillet in [flexspline.cup]");
     }
-    if (any(is_changed))
-        write_changed(page, study);
-    if (any([](auto const& each) { return each.backlash < 0; }))
+    write_changed(page, study, true);
+    write_changed(page, study, false);
+    if (any([](auto const& each) { return each.backlash < 0 && !each.tips; }))
         page.line("  backlash below zero: the assembled teeth press on both flanks");
+    if (any([](auto const& each) { return each.tips.has_value(); }))
+        page.line("  backlash below zero: tips interfere along the radius, and no turn brings them apart");
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ std::string summary_text(RunStudy const& study, std::vector<WrittenFile> const& 
     if (study.tip_radius_increase > 0)
         page.figure(rows["tip_radius"], study,
                     "wider than the scene gives by " + rows["tip_radius_increase"].value_with_unit(study) +
-                        ", so that the teeth clear and lands are left");
+                        ", so that the teeth clear or lands are left");
     for (RunSequence const& each : study.sequences)
         report::write_sequence(page, each);
     if (study.losses)

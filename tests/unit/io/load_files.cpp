@@ -183,18 +183,28 @@ TEST_CASE("a row of the load table is in the units of its heading", "[load]")
     auto study = sample::load_study();
     auto const text = summary_text(study, {{"hdf5", "out/load.h5", 0.0021}});
     for (auto const* part :
-         {"coning, major axis            1.2440 deg", "wave generator force            3992.0 N",
-          "over 212 contact points", "at 28 N m",
+         {"coning, major axis            1.2440 deg",
+          "wave generator force            3992.0 N",
+          "over 212 contact points",
+          "at 28 N m",
           "  tilted    radial    0.2    9.00      6.20     5600    10500    12000     15.65     58      2.3       11   "
           " "
           "  24.0    31.5      494\n",
           "two straight lines instead: 98.7 and 183 N m/deg, knee at 12.0 N m",
-          "  tilted    -           0    9.00*     7.80        -", "carry 40 % of all force, up to 8.00 N of a flank",
-          "stress 494 MPa at z = -4.40 mm, r = 24.40 mm, 5.7 deg", "within: flank with a gap up to 1 um",
-          "*: with the side clearance and tip circle of the scene", "tip circle 25.107695 mm, enlarged by 0.00 um",
-          "tip circle 25.030000 mm, enlarged by 82.70 um",
-          "converged after at most 4 iterations: gaps agree with the loaded shape to 0.0002 um", "at most 3.0e-12",
-          "in the result file: tilted, radial 0.2 deg", "out/load.h5"}) {
+          "  tilted    -           0    9.00*     7.80        -",
+          "carry 40 % of all force, up to 8.00 N of a flank",
+          "stress 494 MPa at z = -4.40 mm, r = 24.40 mm, 5.7 deg",
+          "within: flank with a gap up to 1 um",
+          "*: with the side clearance and tip circle of the scene",
+          "clear the unloaded cup's teeth over a full turn:\n",
+          "tip circle 25.107695 mm, enlarged by 0.00 um\n",
+          "*: with the tip circle of the scene a slice would have no",
+          "clearance over a full turn not checked:\n",
+          "tip circle 25.030000 mm, enlarged by 82.70 um\n",
+          "converged after at most 4 iterations: gaps agree with the loaded shape to 0.0002 um",
+          "at most 3.0e-12",
+          "in the result file: tilted, radial 0.2 deg",
+          "out/load.h5"}) {
         INFO(part << "\n" << text);
         CHECK_THAT(text, ContainsSubstring(part));
     }
@@ -206,6 +216,14 @@ TEST_CASE("a row of the load table is in the units of its heading", "[load]")
     study.cases[2].curve.clear();
     CHECK_THAT(summary_text(study), ContainsSubstring("5.10        -        -        -") &&
                                         ContainsSubstring("not computed") && ContainsSubstring("press on both flanks"));
+    study.cases[0].given_tips = {0.00046, 25.02946};
+    study.cases[1].tips = {0.0003, 25.1};
+    CHECK_THAT(summary_text(study), ContainsSubstring("tips would interfere by 0.46 um along the radius; with "
+                                                      "circular_spline.inner_radius = 25.0295 they pass") &&
+                                        ContainsSubstring("below zero: tips interfere along the radius") &&
+                                        !ContainsSubstring("below zero: the assembled teeth press"));
+    study.cases[0].cleared = false;
+    CHECK_THAT(summary_text(study), !ContainsSubstring("that clear the unloaded cup's teeth"));
     CHECK_FALSE(summary_text(LoadStudy{}).empty());
 }
 

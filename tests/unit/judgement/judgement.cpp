@@ -587,4 +587,15 @@ TEST_CASE("notes stand in text, JSON and HDF5", "[judgement]")
     CHECK(json.front().at("set") == first.set);
 }
 
+TEST_CASE("tips that interfere at assembly are a warning with the tip circle to write", "[judgement]")
+{
+    auto const note = judgement::tip_interference(-0.06 * arcmin, 0.46e-3, 40.22925);
+    REQUIRE(note);
+    CHECK(note->code == NoteCode::backlash);
+    CHECK(note->severity == Severity::warning);
+    CHECK(note->place == "circular_spline.inner_radius");
+    CHECK_THAT(note->cause, ContainsSubstring("by 0.46 um along the radius"));
+    CHECK(note->set == Keys{"circular_spline.inner_radius=40.2293"});
+}
+
 }  // namespace hdconj::test::judgement_cases
