@@ -105,7 +105,8 @@ bool ToothSpaceBoundary::extend(std::vector<Remainder>& left, std::size_t i, Too
     for (bool const begin : {false, true}) {
         Remainder& here = left[begin ? i + 1 : i];
         auto const more = beyond(here.before, begin, tolerance);
-        if (!more)
+        bool const folded = here.vanished == (begin ? Vanished::begin : Vanished::end);
+        if (!more || folded)
             continue;
         Remainder next{*more, *more, Vanished::nothing, !begin, *more};
         (begin ? next.rest.begin : next.rest.end) = begin ? more->end : more->begin;  // where it is known to be
@@ -135,6 +136,8 @@ bool ToothSpaceBoundary::may_go(Remainder const& gone, Remainder const& before, 
 bool ToothSpaceBoundary::shorten(std::vector<Remainder>& left, std::size_t i, ToothSpaceBoundary const& moved,
                                  double distance, Tolerance const& tolerance) const
 {
+    if (left[i].rest.arc < 0 || left[i + 1].rest.arc < 0)
+        return false;
     auto const at_place = [&](std::size_t k) { return left.begin() + static_cast<std::ptrdiff_t>(k); };
     auto const taken_out_between = [&](std::size_t before, std::size_t after) {
         BoundaryPiece a = left[before].rest, b = left[after].rest;

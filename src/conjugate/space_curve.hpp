@@ -130,7 +130,8 @@ class ToothSpaceBoundary
     /// part of the same stretch of the outline, or the path of a corner.
     [[nodiscard]] bool may_go(Remainder const& gone, Remainder const& before, Remainder const& after) const;
     /// Takes out of what is @p left the parts beside the joint of pieces @p i and i + 1 that lie beyond it, where the
-    /// curve on one side meets the other only in a part further away. @return whether it does
+    /// curve on one side meets the other only in a part further away. Beside a land nothing is taken out: join() looks
+    /// whether that may go. @return whether it does
     [[nodiscard]] bool shorten(std::vector<Remainder>& left, std::size_t i, ToothSpaceBoundary const& moved,
                                double distance, Tolerance const& tolerance) const;
     /// Puts between the pieces @p i and i + 1 of what is @p left what lies beyond one of them, where it meets the other

@@ -123,6 +123,22 @@ TEST_CASE("boundary of a cam with knots is moved as far", "[space_curve]")
     }
 }
 
+TEST_CASE("a flank goes on over a joint of its profile where the tip circle moves beyond it", "[space_curve]")
+{
+    for (char const* const tip : {"30.048", "30.049", "30.0505"}) {
+        INFO("tip circle " << tip);
+        Boundary const b(
+            read_scene(file_of("cycloid"),
+                       {"drive.flexspline_teeth=240", "drive.circular_spline_teeth=242", "flexspline.wall=0.84",
+                        "wave_generator.family=ellipse", "wave_generator.radial_deformation=0.215",
+                        std::string("circular_spline.inner_radius=") + tip}));
+        constexpr double chord = 1e-6;
+        std::vector<Vec2> const base = points_of(*b.curve, chord);
+        for (double const distance : {-0.009163, -0.004581, -1e-3, 1e-3, 0.0046})
+            check_moved(b, base, distance, chord);
+    }
+}
+
 TEST_CASE("boundary moved by nothing has the same bits", "[space_curve]")
 {
     Boundary const b;
