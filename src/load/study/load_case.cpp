@@ -47,15 +47,18 @@ SurfaceWithPlay surface_with_play(contact::ContactContext const& context, Assemb
     auto const problem_of = [&](contact::FlankSurface const& surface) {
         return load_problem(context, drive.model.drive, surface.grid);
     };
-    auto const tips_of = [&](contact::FlankSurface const& surface, double turn) {
-        double const overlap = tip_overlap(problem_of(surface), shape, turn);
-        return overlap > 0 ? std::optional(TipInterference{overlap, surface.tip + overlap}) : std::nullopt;
+    auto const tips_of = [&](contact::FlankSurface const& surface,
+                             std::optional<Play> const& play) -> std::optional<TipInterference> {
+        if (!play || !play->tips_interfere)
+            return std::nullopt;
+        double const overlap = tip_overlap(problem_of(surface), shape, middle_of(*play));
+        return TipInterference{overlap, surface.tip + overlap};
     };
     SurfaceWithPlay result{.surface = contact::flank_surface(context, choice)};
     std::optional<Play> play = play_of(problem_of(result.surface), shape);
     if (!automatic && !(play && width_of(*play) >= 0)) {
         result.cleared = true;
-        result.given_tips = tips_of(result.surface, 0);
+        result.given_tips = tips_of(result.surface, play);
         contact::FlankSurface cleared = contact::flank_surface(context, choice, true);
         if (cleared.grid.point != result.surface.grid.point)  // the play of the same flanks is known
             play = play_of(problem_of(cleared), shape);
@@ -64,8 +67,7 @@ SurfaceWithPlay surface_with_play(contact::ContactContext const& context, Assemb
     if (!play)
         refuse_assembly(context.scene, choice, result.surface.offset);
     result.play = *play;
-    if (width_of(*play) < 0)
-        result.tips = tips_of(result.surface, middle_of(*play));
+    result.tips = tips_of(result.surface, play);
     return result;
 }
 

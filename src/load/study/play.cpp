@@ -134,7 +134,7 @@ std::optional<Play> play_of(LoadProblem const& problem, LoadedShape const& shape
         TurnedTeeth const teeth = teeth_at(problem, field, middle, limit);
         // no turn opens this overlap; the gap of no contact grows by more than the turn times the reach
         if (double const least = radial_overlap(problem, field, teeth) / field.reach(); least > 0)
-            return Play{middle - least, -middle - least};
+            return Play{middle - least, -middle - least, true};
         return touches_from(problem, field, teeth, limit).value_or(play);
     } catch (NumericalError const& error) {
         if (error.code() != ErrorCode::no_contact && error.code() != ErrorCode::not_converged)

@@ -11,8 +11,9 @@ namespace hdconj::load {
 /// Turns of the flexspline at which flanks first touch on either side, without torque.
 struct Play
 {
-    double right = 0;  ///< to the first touch of right flanks, clockwise [rad]
-    double left = 0;   ///< to the first touch of left flanks, counter-clockwise [rad]
+    double right = 0;             ///< to the first touch of right flanks, clockwise [rad]
+    double left = 0;              ///< to the first touch of left flanks, counter-clockwise [rad]
+    bool tips_interfere = false;  ///< along the radius, so that no turn brings them apart
 };
 
 /// How far the drive turns freely [rad]; negative where teeth press on both flanks, or tips along a radius, at every
