@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -88,8 +89,12 @@ void add(RunSequence sequence, Scene const& scene, RunStudy& study)
     auto const pitch = std::ranges::find_if(study.sequences, [&](RunSequence const& each) {
         return each.span == RunSpan::tooth_pitch && each.torque == sequence.torque;
     });
-    if (sequence.span != RunSpan::tooth_pitch && pitch != study.sequences.end() && running::has_moved_ring(scene))
-        running::add_places_between(sequence, *pitch);
+    if (sequence.span != RunSpan::tooth_pitch && pitch != study.sequences.end() && running::has_moved_ring(scene)) {
+        if (std::isfinite(pitch->peak_to_peak))
+            running::add_places_between(sequence, *pitch);
+        else  // what happens between whole pitches is not known
+            sequence.estimated = false;
+    }
     study.sequences.push_back(std::move(sequence));
 }
 
@@ -141,7 +146,11 @@ void run_elastic_sequence(running::PlannedSequence const& planned, GridPair cons
     };
     RunSequence sequence = sequence_of(drives.fine, observer, least);
     auto const stopped = [&] { return observer.stop && observer.stop(); };
-    if (drives.coarse != nullptr && plan.span != RunSpan::output_turn && !stopped()) {
+    bool const has_grid_error = drives.coarse != nullptr && plan.span != RunSpan::output_turn;
+    if (has_grid_error && stopped()) {
+        if (sequence.positions.size() == sequence.planned)
+            observer.on_missing("stopped before the errors were known");
+    } else if (has_grid_error) {
         RunSequence const coarse = sequence_of(*drives.coarse, silent, unused);
         running::add_grid_error(sequence, coarse, drives.safety_of_sequences());
         if (coarse.positions.size() < sequence.positions.size() && stopped())
