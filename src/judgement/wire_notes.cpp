@@ -16,8 +16,8 @@ WireRequest wire_of(Scene const& scene)
     if (scene.wedm)
         return *scene.wedm;
     WireRequest wire;
-    wire.wire_diameter = 0.10;
-    wire.spark_gap = 0.006;
+    wire.wire_diameter = 0.08;  // [mm]; follows the roots of usual drives
+    wire.spark_gap = 0.006;     // [mm]
     return wire;
 }
 

@@ -249,7 +249,7 @@ Faults check_wedm(Scene const& scene)
     Faults faults;
     if (!scene.wedm)
         return {{"wedm", 0, "", "this table is missing: it states wire and gap, which are never assumed",
-                 "write the line [wedm] and below it wire_diameter = 0.10 and spark_gap = 0.006"}};
+                 "write the line [wedm] and below it wire_diameter = 0.08 and spark_gap = 0.006"}};
     wedm::check_wire(scene, faults);
     wedm::check_workpiece(scene, faults);
     wedm::check_path(scene, faults);
