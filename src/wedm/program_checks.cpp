@@ -106,8 +106,9 @@ void add_travel_remedy(MachineLimits const& limits, WireProgram const& program, 
     constexpr double beside = 2 / told_per_mm;  // the axis, so that the lead-in is not told as longer than up to it
     double const least = told_above(*std::ranges::max_element(furthest) + beside);
     if (limits.travel < least) {
-        failure.remedy += fmt::format("; with the start hole on the axis, wedm.lead_in = {:.7g}, {:.7g} is enough",
-                                      told_above(on_axis - beside), least);
+        failure.remedy += fmt::format(
+            ", or at least wedm.largest_travel = {:.7g} together with wedm.lead_in = {:.7g}, which starts on the axis",
+            least, told_above(on_axis - beside));
         return;
     }
     double from_axis = on_axis;

@@ -51,6 +51,8 @@ std::size_t find_move(WirePass const& pass, Is const& is_so)
 /// The remedy for the @p end of a path that @p key makes too short.
 std::string longer_end(char const* key, BlockLength const& end, int decimals)
 {
+    if (!(end.shortest > 0))
+        return fmt::format("write {} = 0", key);
     double const units = std::floor(least_units * end.lower / end.shortest) + 1;
     return fmt::format("write {} = 0 or at least {:.{}f}", key, units * std::pow(10.0, -decimals), decimals);
 }
