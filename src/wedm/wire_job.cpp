@@ -78,8 +78,8 @@ void check_residual_limit(Scene const& scene, Faults& faults)
     add_fault(faults, "wedm.tolerance",
               fmt::format("what the wire leaves is known to {:.6g} mm only, and wedm.residual_limit is {:.6g} mm",
                           known, limit),
-              fmt::format("write {}residual_limit = {:.3g}",
-                          finer ? fmt::format("a tolerance of at most {:.3g}, or ", limit / 2) : "", enough * known));
+              fmt::format("write {}wedm.residual_limit = {:.3g}",
+                          finer ? fmt::format("at most wedm.tolerance = {:.3g}, or ", limit / 2) : "", enough * known));
 }
 
 void check_wire(Scene const& scene, Faults& faults)

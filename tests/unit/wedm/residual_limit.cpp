@@ -149,7 +149,7 @@ TEST_CASE("a tolerance that hides more than the limit is refused, and both ways 
         if (limit == "0")
             continue;
         with = sets;
-        with.front() = "wedm.tolerance=" + number_behind("at most ", fault.remedy);
+        with.front() = "wedm.tolerance=" + number_behind("wedm.tolerance = ", fault.remedy);
         CHECK_NOTHROW(check_wedm(drive(with)));
         CHECK(check_wedm(drive(with)).empty());
     }
