@@ -25,7 +25,7 @@ struct UnsolvedPair
 /// What dimensions alone say.
 [[nodiscard]] Notes notes_on(UnsolvedPair const& pair);
 
-/// What the solved pair says beside that, in one plane. What a wire leaves of the whole part says wedm.
+/// What the solved pair says beside that, in one plane. The room wedm judges what a wire leaves.
 [[nodiscard]] Notes notes_on(Solution const& solution);
 
 /// Teeth that press on both flanks.
