@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/text.hpp"
 #include "drive.hpp"
@@ -57,25 +58,29 @@ elastic::Bearing bearing_of(Scene const& scene)
 
 namespace {
 
-/// What to write where the dimensions contradict each other at @p place of the section.
-std::string remedy_of(std::string const& place)
+/// What to write where the dimensions of @p part contradict others.
+std::string remedy_of(std::optional<elastic::SectionPart> part)
 {
+    using Part = elastic::SectionPart;
     std::string const cup = "flexspline.cup.";
-    if (place == "fillet at the tooth ring")
-        return "write " + cup + "rear_fillet and front_fillet larger than what flexspline.wall is thicker than " + cup +
-               "barrel_wall, or leave them out";
-    if (place == "flange")
-        return "write a smaller " + cup + "flange_radius or corner_radius";
-    if (place == "corner at the bottom")
-        return "write a larger " + cup + "corner_radius, or a smaller barrel_wall or bottom";
-    if (place == "rear ramp")
-        return "write a " + cup + "rear_ramp above 0";
-    if (place == "front ramp")
-        return "write a larger " + cup + "front_land, or a smaller front_ramp or front_fillet above 0";
-    if (place == "tooth ring")
-        return "write a larger " + cup +
-               "length, or a smaller tooth_width, front_land, corner_radius, rear_ramp or rear_fillet";
-    return "write a smaller " + cup + "length, or thicker flexspline.wall, barrel_wall and bottom";
+    switch (part.value_or(Part::walls)) {
+        case Part::fillet:
+            return "write " + cup + "rear_fillet and front_fillet larger than what flexspline.wall is thicker than " +
+                   cup + "barrel_wall, or leave them out";
+        case Part::flange:
+            return "write a smaller " + cup + "flange_radius or corner_radius";
+        case Part::corner:
+            return "write a larger " + cup + "corner_radius, or a smaller barrel_wall or bottom";
+        case Part::rear_ramp:
+            return "write a " + cup + "rear_ramp above 0";
+        case Part::front_ramp:
+            return "write a larger " + cup + "front_land, or a smaller front_ramp or front_fillet above 0";
+        case Part::tooth_ring:
+            return "write a larger " + cup +
+                   "length, or a smaller tooth_width, front_land, corner_radius, rear_ramp or rear_fillet";
+        default:  // the mesh is too fine
+            return "write a smaller " + cup + "length, or thicker flexspline.wall, barrel_wall and bottom";
+    }
 }
 
 }  // namespace
@@ -85,13 +90,16 @@ void validate_cup(Scene const& scene, double inner_radius, Faults& faults)
     elastic::CupSection const section = cup_section(scene, inner_radius);
     elastic::Bearing const bearing = bearing_of(scene);
     std::string const origin = scene.flexspline.cup->line > 0 ? "" : "--set";
+    auto const refuse = [&](NumericalError const& error, std::optional<elastic::SectionPart> part = std::nullopt) {
+        faults.push_back({"flexspline.cup", scene.flexspline.cup->line, "", error.what(), remedy_of(part), origin});
+    };
     try {
         (void)elastic::section_mesh(section,
                                     elastic::contact_mesh_size(section, bearing.width, scene.bearing->circles));
+    } catch (elastic::UnsoundSection const& error) {
+        return refuse(error, error.part());
     } catch (NumericalError const& error) {
-        faults.push_back(
-            {"flexspline.cup", scene.flexspline.cup->line, "", error.what(), remedy_of(error.place()), origin});
-        return;
+        return refuse(error);
     }
     auto const at = [&](std::string const& path, std::string const& reason, std::string const& remedy) {
         auto const given = scene.given.find(path);

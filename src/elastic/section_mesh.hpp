@@ -5,10 +5,12 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "elasticity.hpp"
 #include "hdconj/base/vec2.hpp"
+#include "hdconj/error.hpp"
 
 namespace hdconj::elastic {
 
@@ -44,6 +46,32 @@ struct CupSection
     double corner_radius = 2;
     double clamp_radius = 13;
     Elasticity material;
+};
+
+/// Parts of the section whose dimensions may contradict each other.
+enum class SectionPart
+{
+    walls,
+    fillet,  ///< at the tooth ring
+    flange,
+    corner,  ///< at the bottom
+    ramps,
+    rear_ramp,
+    front_ramp,
+    tooth_ring,
+    tooth_layer
+};
+
+/// A section that cannot be meshed.
+class UnsoundSection : public NumericalError
+{
+  public:
+    UnsoundSection(SectionPart part, std::string const& cause);
+
+    [[nodiscard]] SectionPart part() const { return part_; }  ///< whose dimensions are wrong
+
+  private:
+    SectionPart part_;
 };
 
 /// Corners anticlockwise in (xi, eta) from (-1, -1), then the middles of the sides from that between corners 0 and 1
