@@ -109,11 +109,19 @@ bool ToothSpaceBoundary::extend(std::vector<Remainder>& left, std::size_t i, Too
         if (!more || folded)
             continue;
         Remainder next{*more, *more, Vanished::nothing, !begin, *more};
+        Vanished const part = moved.vanished_part(*this, next.forward);
+        if (part == Vanished::whole || part == (begin ? Vanished::end : Vanished::begin))
+            continue;
         (begin ? next.rest.begin : next.rest.end) = begin ? more->end : more->begin;  // where it is known to be
         BoundaryPiece reached = next.rest;
         BoundaryPiece other = left[begin ? i : i + 1].rest;
         if (!(begin ? moved.meet(other, reached, std::abs(distance), tolerance)
                     : moved.meet(reached, other, std::abs(distance), tolerance)))
+            continue;
+        double const corner = begin ? reached.begin : reached.end;
+        bool const beyond_fold = begin ? (corner - next.forward.begin) * (more->end - more->begin) < 0
+                                       : (corner - next.forward.end) * (more->end - more->begin) > 0;
+        if (part != Vanished::nothing && beyond_fold)
             continue;
         for (BoundaryPiece* whole : {&here.before, &here.rest})
             (begin ? whole->begin : whole->end) = end_beside(here.before, begin);
@@ -156,16 +164,13 @@ bool ToothSpaceBoundary::shorten(std::vector<Remainder>& left, std::size_t i, To
     return false;
 }
 
-/// Cuts or extends the moved pieces to where they meet.
-std::optional<ToothSpaceBoundary::NoPlace> ToothSpaceBoundary::join(std::vector<Remainder>& left,
-                                                                    ToothSpaceBoundary& moved, double distance,
-                                                                    Tolerance const& tolerance) const
+std::optional<std::size_t> ToothSpaceBoundary::first_gap(std::vector<Remainder> const& left, ToothSpaceBoundary& moved,
+                                                         double distance, Tolerance const& tolerance) const
 {
     std::vector<BoundaryPiece>& after = moved.pieces_;
     after.clear();
     for (Remainder const& each : left)
         after.push_back(each.rest);
-    auto const is_land = [&](std::size_t i) { return i < after.size() && after[i].arc < 0; };
     for (std::size_t i = 0; i + 1 < after.size(); ++i) {
         // normals that agree to this come from one contact that goes on over a joint of the profile, or from the cut at
         // x = 0
@@ -173,12 +178,27 @@ std::optional<ToothSpaceBoundary::NoPlace> ToothSpaceBoundary::join(std::vector<
         Vec2 const n = at(left[i].before, left[i].before.end).n;
         Vec2 const next = at(left[i + 1].before, left[i + 1].before.begin).n;
         bool const corner = left[i].cut || std::abs(cross(n, next)) > smooth || n.dot(next) < 0;
-        if (!corner || moved.meet(after[i], after[i + 1], std::abs(distance), tolerance))
-            continue;
-        if (shorten(left, i, moved, distance, tolerance) || extend(left, i, moved, distance, tolerance))
-            return join(left, moved, distance, tolerance);
-        return NoPlace{is_land(i) || (!is_land(i + 1) && is_land(i + 2)) ? i + 1 : i,
-                       "neighbouring parts of the outline would no longer meet there"};
+        if (corner && !moved.meet(after[i], after[i + 1], std::abs(distance), tolerance))
+            return i;
+    }
+    return std::nullopt;
+}
+
+std::optional<ToothSpaceBoundary::NoPlace> ToothSpaceBoundary::join(std::vector<Remainder>& left,
+                                                                    ToothSpaceBoundary& moved, double distance,
+                                                                    Tolerance const& tolerance) const
+{
+    std::vector<BoundaryPiece> const& after = moved.pieces_;
+    auto const is_land = [&](std::size_t i) { return i < after.size() && after[i].arc < 0; };
+    std::size_t changes = left.size() + arcs_.size();  // no part need come and go
+    while (auto const gap = first_gap(left, moved, distance, tolerance)) {
+        std::size_t const i = *gap;
+        bool const changed = changes > 0 && (shorten(left, i, moved, distance, tolerance) ||
+                                             extend(left, i, moved, distance, tolerance));
+        if (!changed)
+            return NoPlace{is_land(i) || (!is_land(i + 1) && is_land(i + 2)) ? i + 1 : i,
+                           "neighbouring parts of the outline would no longer meet there"};
+        --changes;
     }
     for (std::size_t i = 0; i < after.size(); ++i) {
         double const was = left[i].before.end - left[i].before.begin;

@@ -116,9 +116,13 @@ class ToothSpaceBoundary
         std::string why;
     };
     /// Writes what is @p left into @p moved, each piece cut or extended to where it meets the next. @return the first
-    /// that has no place
-    std::optional<NoPlace> join(std::vector<Remainder>& left, ToothSpaceBoundary& moved, double distance,
-                                Tolerance const& tolerance) const;
+    /// piece that does not meet the next
+    [[nodiscard]] std::optional<std::size_t> first_gap(std::vector<Remainder> const& left, ToothSpaceBoundary& moved,
+                                                       double distance, Tolerance const& tolerance) const;
+    /// The same, and parts that lie beyond a joint are taken out, those that lie beyond an end put in. @return the
+    /// first that has no place
+    [[nodiscard]] std::optional<NoPlace> join(std::vector<Remainder>& left, ToothSpaceBoundary& moved, double distance,
+                                              Tolerance const& tolerance) const;
     /// Where the arc of @p piece ends beside its begin or its end.
     [[nodiscard]] double end_beside(BoundaryPiece const& piece, bool begin) const;
     /// The arc on which the boundary of @p piece goes on where the piece's own arc ends, as at a knot of a wave
