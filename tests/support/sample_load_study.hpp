@@ -180,6 +180,7 @@ inline LoadStudy load_study(int slice_count = 9)
     study.cases[0].side_clearance_increased = true;
     study.cases[0].tip = 25.107695;
     study.cases[0].cleared = true;
+    study.cases[0].given_tips = TipInterference{0.0004, 25.1004};
     study.cases[2].tip = 25.03;
     study.cases[2].tip_radius_increase = 0.0827;
     constexpr double nm_per_rad = 1000;

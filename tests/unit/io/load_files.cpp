@@ -45,7 +45,8 @@ Measurement measurement(bool from_motor = false)
 TEST_CASE("load numbers come back from HDF5 bit for bit", "[load]")
 {
     TemporaryFolder const folder;
-    auto const study = sample::load_study();
+    auto study = sample::load_study();
+    study.cases[2].tips = TipInterference{0.0003, 25.0303};
     write_hdf5(study, folder / "a.h5");
     auto const file = open_file(folder / "a.h5");
     std::size_t const cases = study.cases.size();
@@ -67,6 +68,9 @@ TEST_CASE("load numbers come back from HDF5 bit for bit", "[load]")
              {"knee_twist", [](auto const& c) { return c.stages.knee_twist; }},
              {"stages_rms", [](auto const& c) { return c.stages.rms; }},
              {"side_clearance_increased", [](auto const& c) { return c.side_clearance_increased ? 1.0 : 0.0; }},
+             {"cleared", [](auto const& c) { return c.cleared ? 1.0 : 0.0; }},
+             {"tip_interference", [](auto const& c) { return c.tips ? c.tips->depth : 0.0; }},
+             {"given_tip_interference", [](auto const& c) { return c.given_tips ? c.given_tips->depth : 0.0; }},
              {"stages_found", [](auto const& c) { return c.stages.found ? 1.0 : 0.0; }},
              {"seconds", [](auto const& c) { return c.seconds; }},
              {"twist", [](auto const& c) { return c.curve[c.rated].twist; }},
