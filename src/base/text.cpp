@@ -64,6 +64,11 @@ std::string at_most_text(double bound)
     return text.front() == '-' ? text.substr(1) : text;
 }
 
+std::string length_at_least(double bound)
+{
+    return short_number(std::ceil(bound * told_per_mm) / told_per_mm);
+}
+
 std::string in_quotes(std::string_view text)
 {
     return '"' + std::string(text) + '"';

@@ -21,6 +21,11 @@ namespace hdconj {
 /// A number of at most six digits that is no larger than @p bound, for "write at most ...".
 [[nodiscard]] std::string at_most_text(double bound);
 
+/// To how much lengths are told in advice: ten thousandths of a millimetre [1/mm].
+inline constexpr double told_per_mm = 1e4;
+/// A length [mm] that is no smaller than @p bound, for "write ...".
+[[nodiscard]] std::string length_at_least(double bound);
+
 /// @p text in double quotes.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 

@@ -37,7 +37,7 @@ std::optional<Note> backlash(Scene const& scene, double turn, double side_cleara
     double const radius = scene.drive.module * scene.drive.circular_spline_teeth / 2;
     if (-turn * radius <= touches * scene.drive.module)
         return std::nullopt;
-    auto note = note_on(NoteCode::backlash, 60 * to_deg(turn));
+    auto note = note_on(NoteCode::backlash, per_arcmin * turn);
     if (!note)
         return note;
     note->place = likely_place(scene);
@@ -46,7 +46,7 @@ std::optional<Note> backlash(Scene const& scene, double turn, double side_cleara
                   (scene.errors ? ", since the errors take more than the side clearance gives" : "");
     // both flanks give way by it, along their normals
     double const more = -turn * radius / 2;
-    std::string const enough = short_number(std::ceil(1e4 * (side_clearance + more)) / 1e4);
+    std::string const enough = length_at_least(side_clearance + more);
     note->advice = "write circular_spline.backlash_offset = " + enough + (scene.errors ? ", or smaller errors" : "");
     note->set = {"circular_spline.backlash_offset=" + enough};
     return note;
@@ -54,13 +54,13 @@ std::optional<Note> backlash(Scene const& scene, double turn, double side_cleara
 
 std::optional<Note> tip_interference(double turn, double depth, double least_tip)
 {
-    auto note = note_on(NoteCode::backlash, 60 * to_deg(turn));
+    auto note = note_on(NoteCode::backlash, per_arcmin * turn);
     if (!note)
         return note;
     note->place = "circular_spline.inner_radius";
     note->cause = "without torque tips interfere by " + short_number(depth * per_um, 3) +
                   " um along the radius, and no turn brings them apart";
-    std::string const enough = short_number(std::ceil(1e4 * least_tip) / 1e4);
+    std::string const enough = length_at_least(least_tip);
     note->advice = "write circular_spline.inner_radius = " + enough;
     note->set = {"circular_spline.inner_radius=" + enough};
     return note;

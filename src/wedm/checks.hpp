@@ -15,9 +15,6 @@
 
 namespace hdconj::wedm {
 
-/// Of lengths in advice [1/mm].
-inline constexpr double told_per_mm = 1e4;
-
 /// What must not be cut so.
 struct WireFailure
 {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/text.hpp"
 #include "checks.hpp"
 #include "hdconj/scene/schema.hpp"
 #include "offset_path.hpp"

@@ -10,6 +10,7 @@
 
 #include <Eigen/Geometry>
 
+#include "base/text.hpp"
 #include "checks.hpp"
 #include "hdconj/base/tolerance.hpp"
 #include "hdconj/error.hpp"

@@ -21,7 +21,7 @@ void tell_play(LoadObserver const& observer, LoadCase const& known)
     if (observer.talk)
         observer.talk(fmt::format("{}{}: side clearance {:.1f} um, backlash {:.2f} arcmin", to_string(known.surface),
                                   known.tilt != 0 ? fmt::format(" {:.2f} deg", to_deg(known.tilt)) : "",
-                                  per_um * known.backlash_offset, 60 * to_deg(known.backlash)));
+                                  per_um * known.backlash_offset, per_arcmin * known.backlash));
 }
 
 double rated_line_load(LoadCase const& each)

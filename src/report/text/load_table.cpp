@@ -2,8 +2,8 @@
 #include "load_table.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "base/text.hpp"
 #include "figures/load_figures.hpp"
 #include "hdconj/units.hpp"
 
@@ -81,8 +81,8 @@ void write_changed(Page& page, LoadStudy const& study, bool cleared)
         if (each.given_tips)
             page.line(
                 "      tips would interfere by {:.2f} um along the radius; with circular_spline.inner_radius = "
-                "{:.4f} they pass",
-                per_um * each.given_tips->depth, std::ceil(1e4 * each.given_tips->least_tip) / 1e4);
+                "{} they pass",
+                per_um * each.given_tips->depth, length_at_least(each.given_tips->least_tip));
     }
 }
 
