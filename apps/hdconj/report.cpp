@@ -10,6 +10,7 @@
 #include "arguments.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/scene/schema.hpp"
+#include "interrupt.hpp"
 #include "run_verb.hpp"
 
 namespace hdconj::cli {
@@ -51,6 +52,7 @@ ReportOptions options_of(ReportArguments const& own)
     cases.enter(options.contact);
     options.contact.revolution = own.revolution;
     options.load.curve = !own.no_curve;
+    options.stop = is_stopped;
     return options;
 }
 
@@ -89,11 +91,14 @@ std::vector<Source> sources_of(CommonOptions common, ReportArguments const& own,
     return sources;
 }
 
-ReportedDrive drive_of(Source const& source, ReportOptions const& options, ProgressLine const& progress)
+/// @throws NumericalError where the run was stopped and this is not the first
+ReportedDrive drive_of(Source const& source, bool is_first, ReportOptions const& options, ProgressLine const& progress)
 {
     auto const* const named = std::get_if<NamedScene>(&source);
     if (named == nullptr)
         return complete_drive(std::get<ReportedDrive>(source), options, progress.stages());
+    if (is_stopped() && !is_first)
+        throw NumericalError(ErrorCode::stopped, "report", named->name, "the run was stopped before");
     try {
         return report_drive(named->scene, options, progress.stages(), progress.shares());
     } catch (NumericalError const& error) {
@@ -114,9 +119,10 @@ int run_report(CommonOptions const& common, ReportArguments const& own)
         [](Report const& report, fs::path const& file) { file::write_text_atomically(file, report_page(report)); },
         check_ending("--output", ".html", "a browser"));
     work.compute = [&](ProgressLine const& progress) {
+        stop_at_interrupt();
         return report_drives(
             sources, [](Source const& source) { return scene_of(source).drive.name; },
-            [&](Source const& source) { return drive_of(source, options, progress); });
+            [&](Source const& source) { return drive_of(source, &source == &sources.front(), options, progress); });
     };
     work.text = [](Report const&, Written const& written) {
         return fmt::format("report: {}, {} kB\n", written.front().file.string(),
@@ -136,6 +142,7 @@ constexpr char const* report_footer =
     "--with design derives wishes from a scene and shows it beside the design that they make.\n"
     "A part that is asked for and has no result, and one of several drives that cannot be solved, is\n"
     "named with its cause. The rest is written, and the exit status is 1.\n"
+    "Ctrl-C stops after what is computed and keeps what is there; once more ends the run.\n"
     "Examples:\n"
     "  hdconj report drive.toml -o drive.html --with contact,load\n"
     "  hdconj report first.toml second.toml -o both.html\n"

@@ -6,6 +6,7 @@
 #include <array>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -48,6 +49,9 @@ struct ReportOptions
     ContactOptions contact;         ///< of the part `contact`
     LoadOptions load;               ///< of the part `load`
     RunOptions run;                 ///< of the part `run`
+    /// Asked before each part, torque and position: when true, what is computed so far is kept, and the rest is named
+    /// as left out. Null: nobody stops it.
+    std::function<bool()> stop = {};
 };
 
 /// A part that a report does not show.
@@ -100,7 +104,7 @@ struct Report
 
 /// Makes the drives of a report one after the other by @p make, called with each of @p sources. One that fails is
 /// named, with the drive that @p name_of says, and leaves the others as they are.
-/// @throws InputError, NumericalError  the first failure, where no drive is left; where the run is stopped
+/// @throws InputError, NumericalError  the first failure, where no drive is left
 template <class Sources, class NameOf, class Make>
 [[nodiscard]] Report report_drives(Sources const& sources, NameOf const& name_of, Make const& make)
 {
@@ -117,8 +121,6 @@ template <class Sources, class NameOf, class Make>
         } catch (InputError const& error) {
             enter(source, error);
         } catch (NumericalError const& error) {
-            if (error.code() == ErrorCode::stopped)
-                throw;
             enter(source, error);
         }
     }
@@ -163,7 +165,6 @@ template <class Sources, class NameOf, class Make>
 
 /// Adds what a result file does not hold, and computes it from the scene that it holds: the teeth in mesh. What is
 /// asked for and not there is named in ReportedDrive::left_out.
-/// @throws NumericalError where the run is stopped
 [[nodiscard]] ReportedDrive complete_drive(ReportedDrive drive, ReportOptions const& options,
                                            StageObserver const& on_stage = {});
 

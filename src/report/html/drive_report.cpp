@@ -14,29 +14,35 @@
 namespace hdconj {
 namespace {
 
-/// Runs @p compute; what keeps it from a result is said in `left_out`.
-template <class Compute>
-void try_part(ReportedDrive& drive, std::string_view part, bool asked, Compute const& compute)
-{
-    std::string const name(part);
-    if (!asked) {
-        drive.left_out.push_back({name, "not asked for; hdconj report --with " + name + " computes it"});
-        return;
-    }
-    try {
-        compute();
-    } catch (InputError const& error) {
-        drive.left_out.push_back({name, error.what(), true});
-    } catch (NumericalError const& error) {
-        if (error.code() == ErrorCode::stopped)
-            throw;
-        drive.left_out.push_back({name, error.what(), true});
-    }
-}
-
 bool is_asked(ReportOptions const& options, ReportPart part)
 {
     return std::find(options.parts.begin(), options.parts.end(), part) != options.parts.end();
+}
+
+/// Runs @p compute; what keeps it from a result is said in `left_out`.
+template <class Compute>
+void compute_or_name(ReportedDrive& drive, std::string_view part, Compute const& compute)
+{
+    try {
+        compute();
+    } catch (InputError const& error) {
+        drive.left_out.push_back({std::string(part), error.what(), true});
+    } catch (NumericalError const& error) {
+        drive.left_out.push_back({std::string(part), error.what(), true});
+    }
+}
+
+/// The same of a part that may not be asked for, or not any more.
+template <class Compute>
+void try_part(ReportedDrive& drive, ReportOptions const& options, ReportPart part, Compute const& compute)
+{
+    std::string const name(to_string(part));
+    if (!is_asked(options, part))
+        drive.left_out.push_back({name, "not asked for; hdconj report --with " + name + " computes it"});
+    else if (options.stop && options.stop())
+        drive.left_out.push_back({name, "the run was stopped before", true});
+    else
+        compute_or_name(drive, name, compute);
 }
 
 }  // namespace
@@ -94,40 +100,42 @@ Faults check_without_scene(ReportOptions const& options)
 ReportedDrive report_drive(Scene const& scene, ReportOptions const& options, StageObserver const& on_stage,
                            Progress const& progress)
 {
-    auto const asked = [&](ReportPart part) { return is_asked(options, part); };
+    LoadOptions load = options.load;
+    RunOptions run = options.run;
+    load.stop = run.stop = options.stop;
     ReportedDrive drive;
     drive.solution = solve(scene, on_stage);
-    try_part(drive, "contact", asked(ReportPart::contact), [&] {
+    try_part(drive, options, ReportPart::contact, [&] {
         if (Faults faults = check_contact(scene, options.contact); !faults.empty())
             throw InputError(std::move(faults));
         drive.contact = study_contact(scene, options.contact, on_stage, progress);
         for (auto const& cause : drive.contact->missing)
             drive.left_out.push_back({"contact", cause, true});
     });
-    try_part(drive, "load", asked(ReportPart::load), [&] {
-        if (Faults faults = check_load(scene, options.load); !faults.empty())
+    try_part(drive, options, ReportPart::load, [&] {
+        if (Faults faults = check_load(scene, load); !faults.empty())
             throw InputError(std::move(faults));
-        drive.load = study_load(scene, options.load, on_stage, progress);
+        drive.load = study_load(scene, load, on_stage, progress);
         for (auto const& cause : drive.load->missing)
             drive.left_out.push_back({"load", cause, true});
         if (drive.load->teeth.phi.empty())
             drive.left_out.push_back(
                 {"teeth under torque", "the scene has errors of the rings, by which each space stands elsewhere"});
     });
-    try_part(drive, "run", asked(ReportPart::run), [&] {
-        if (Faults faults = check_run(scene, options.run); !faults.empty())
+    try_part(drive, options, ReportPart::run, [&] {
+        if (Faults faults = check_run(scene, run); !faults.empty())
             throw InputError(std::move(faults));
-        drive.run = study_run(scene, options.run, on_stage, progress);
+        drive.run = study_run(scene, run, on_stage, progress);
         for (auto const& cause : drive.run->missing)
             drive.left_out.push_back({"run", cause, true});
     });
-    try_part(drive, "wedm", asked(ReportPart::wedm), [&] {
+    try_part(drive, options, ReportPart::wedm, [&] {
         if (Faults faults = check_wedm(scene); !faults.empty())
             throw InputError(std::move(faults));
         drive.wire = wire_set_ups(scene, on_stage);
     });
-    try_part(drive, "design", asked(ReportPart::design), [&] { drive.design = design_beside(drive.solution); });
-    try_part(drive, "teeth in mesh", true, [&] { drive.teeth = turning_teeth(scene, drive.outline().z, on_stage); });
+    try_part(drive, options, ReportPart::design, [&] { drive.design = design_beside(drive.solution); });
+    compute_or_name(drive, "teeth in mesh", [&] { drive.teeth = turning_teeth(scene, drive.outline().z, on_stage); });
     return drive;
 }
 
@@ -145,9 +153,8 @@ ReportedDrive complete_drive(ReportedDrive drive, ReportOptions const& options, 
                                       is_asked(options, part)});
     }
     Scene const& scene = drive.solution.scene;
-    bool const has_design = is_asked(options, ReportPart::design);
-    try_part(drive, "design", has_design, [&] { drive.design = design_beside(solve(scene, on_stage)); });
-    try_part(drive, "teeth in mesh", true, [&] {
+    try_part(drive, options, ReportPart::design, [&] { drive.design = design_beside(solve(scene, on_stage)); });
+    compute_or_name(drive, "teeth in mesh", [&] {
         drive.teeth =
             turning_teeth(is_loaded ? loaded_scene(scene) : scene, drive.solution.circular_spline.z, on_stage);
         drive.origin += fmt::format(" The motion of the teeth {}computed from the scene that the file holds.",
