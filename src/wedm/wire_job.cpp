@@ -59,17 +59,19 @@ bool faces_differ(Scene const& scene)
     return tilt_of(scene) != 0 || follows_cone(scene);
 }
 
-/// How much further the faces of the workpiece are from its middle than the ends of the toothing.
-double beyond_toothing(Scene const& scene)
+/// Error of the contours on the faces of the workpiece [mm]: that of the outlines, and of rulings that go on beyond the
+/// toothing more.
+double contour_error_of(Scene const& scene)
 {
-    return thickness_of(scene) / toothed_width(scene);
+    double const beyond = thickness_of(scene) / toothed_width(scene);
+    return scene.solver.tolerance * (faces_differ(scene) && !cuts_flexspline(scene) ? std::max(1.0, beyond) : 1);
 }
 
 /// What the wire leaves is known to the tolerance and the error of the contour (WireJob::residual_error).
 void check_residual_limit(Scene const& scene, Faults& faults)
 {
     double const limit = scene.wedm->residual_limit;
-    double const contour = scene.solver.tolerance * std::max(1.0, beyond_toothing(scene));
+    double const contour = contour_error_of(scene);
     double const known = scene.wedm->tolerance + contour;
     if (known <= limit)
         return;
@@ -187,9 +189,8 @@ WireJob::WireJob(Scene const& scene, WireFaces part_faces) : faces(std::move(par
     if (wire.stock.empty())
         wire.stock = {0};
     machine = {thickness_of(scene), wire.lower_guide, wire.upper_guide};
-    contour_error = scene.solver.tolerance;
+    contour_error = contour_error_of(scene);
     if (faces.pitch.lower != faces.pitch.upper) {
-        contour_error *= beyond_toothing(scene);  // rulings go on beyond the toothing
         surface = scene.slices ? scene.slices->surface : ToothSurface::tilted;
         if (tilt_of(scene) != 0)
             tilt_kind = scene.tilt->kind;
