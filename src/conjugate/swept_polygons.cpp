@@ -170,8 +170,11 @@ void SweptPolygons::refuse_without_land(double tip, double side_clearance) const
         "of " +
         std::to_string(reached) + " mm, where the circular spline's teeth would be pointed, and the tip circle is at " +
         std::to_string(tip) + " mm";
-    std::string remedy = "write a circular_spline.inner_radius above " + std::to_string(reached) +
-                         ", a thinner tooth or a smaller addendum";
+    bool const is_entered = reached < radius_at({0.0}) - side_clearance;  // by the tips, at a wider tip circle
+    std::string remedy =
+        (is_entered ? "write a circular_spline.inner_radius above " + std::to_string(reached) + ", a thinner tooth"
+                    : std::string("write a thinner tooth")) +
+        " or a smaller addendum";
     std::vector<std::string> set = wider_tip(tip);
     // The spaces meet at the radius reached. With a clearance that is smaller by the depth of the tip circle below that
     // place, neither reaches the middle there; half of it leaves a land.

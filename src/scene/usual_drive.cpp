@@ -43,7 +43,8 @@ void add_tip_circle(Scene const& scene, double w0, Advice& advice)
     double const middle = flexspline_pitch_radius(scene.drive) + w0,
                  addendum = scene.flexspline.profile.number_or("addendum", 0), standard = middle - addendum;
     auto const now = scene.wave_generator.shape.number("radial_deformation");
-    double const with_now = (now ? usual_tip_radius(scene, *now) : std::nullopt).value_or(0);
+    // a tip circle for a larger deformation is to follow that; one for a smaller deformation leaves more land
+    double const with_now = (now && *now > w0 ? usual_tip_radius(scene, *now) : std::nullopt).value_or(0);
     if (usual && given && *scene.circular_spline.inner_radius > std::max(*usual, with_now) &&
         *scene.circular_spline.inner_radius <= (*usual + middle + addendum) / 2)
         return;

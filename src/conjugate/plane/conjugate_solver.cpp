@@ -9,6 +9,7 @@
 #include "conjugate/chord_moved.hpp"
 #include "drive/drive.hpp"
 #include "flank_contact.hpp"
+#include "hdconj/error.hpp"
 #include "outline_records.hpp"
 #include "records_beside.hpp"
 #include "root_clearance.hpp"
@@ -158,7 +159,15 @@ void ConjugateSolver::assemble(double chord)
 
 void ConjugateSolver::trace_boundary(double chord)
 {
-    clock_.run(Stage::region, [&] { final_ = traced_space(base_, branches_, chord, tolerance_, out_); });
+    clock_.run(Stage::region, [&] {
+        try {
+            final_ = traced_space(base_, branches_, chord, tolerance_, out_);
+        } catch (NumericalError const& error) {
+            if (error.code() == ErrorCode::no_land && is_moved())  // moved flanks meet further out: that is to be told
+                (void)traced_space(final_envelope(), moved_branches(), chord, tolerance_, out_);
+            throw;
+        }
+    });
     clock_.run(Stage::backlash, [&] {
         TracedSpace shifted = traced_space(final_envelope(), moved_branches(), chord, tolerance_, out_);
         require_same_topology(base_, final_.arcs, final_.space, shifted.arcs, shifted.space, pitch_,

@@ -356,6 +356,38 @@ TEST_CASE("a side clearance that takes the land is named, and a smaller one that
     }
 }
 
+TEST_CASE("the tip circle above which a land is left is that with the side clearance", "[judgement]")
+{
+    for (std::string const clearance : {"0", "0.02", "0.04"}) {
+        Keys keys{"wave_generator.radial_deformation=0.03", "circular_spline.backlash_offset=" + clearance};
+        NumericalError const failed = failure(builtin_scene(keys));
+        INFO(failed.what());
+        REQUIRE(failed.code() == ErrorCode::no_land);
+        std::string const text = failed.remedy(), before = "circular_spline.inner_radius above ";
+        auto const at = text.find(before);
+        REQUIRE(at != std::string::npos);
+        double const least = std::stod(text.substr(at + before.size()));
+        keys.push_back("circular_spline.inner_radius=" + std::to_string(least + 0.001));
+        CHECK_NOTHROW(solve(builtin_scene(keys)));
+        keys.back() = "circular_spline.inner_radius=" + std::to_string(least - 0.001);
+        CHECK(failure(builtin_scene(keys)).code() == ErrorCode::no_land);
+    }
+    // further out than the tips reach
+    Keys const wide{"wave_generator.radial_deformation=0.03", "circular_spline.backlash_offset=0.06"};
+    CHECK_THAT(failure(builtin_scene(wide)).remedy(), !ContainsSubstring("inner_radius above"));
+}
+
+TEST_CASE("a tip circle that leaves more land than the usual one is kept with the usual deformation", "[judgement]")
+{
+    Keys const wide{"circular_spline.inner_radius=25.08", "circular_spline.backlash_offset=0.01"};
+    Keys small = wide;
+    small.emplace_back("wave_generator.radial_deformation=0.05");
+    NumericalError const failed = failure(builtin_scene(small));
+    INFO(failed.what());
+    CHECK(failed.set() == Keys{"wave_generator.radial_deformation=0.25"});
+    CHECK_FALSE(note_of(solve(builtin_scene(wide)).judgement, NoteCode::land));
+}
+
 TEST_CASE("a tilt that makes the tip circle of one end too small is a warning", "[judgement]")
 {
     auto const tilted = [](std::string const& degrees) {
