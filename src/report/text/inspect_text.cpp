@@ -76,11 +76,12 @@ void write_side(Page& page, SideFigures const& side)
                   "from tooth " + of_pitch("total_pitch_from") + " to " + of_pitch("total_pitch_to"));
 }
 
-void write_plane(Page& page, PlaneFigures const& plane)
+void write_plane(Page& page, InspectedPart part, PlaneFigures const& plane)
 {
     auto const rows = figures::plane_rows();
     Told const told(rows, plane);
-    page.line("\nteeth at z = {}: {} with both flanks", told.with_unit("z"), told("teeth"));
+    page.line("\n{} at z = {}: {} with both flanks", part == InspectedPart::flexspline ? "teeth" : "tooth spaces",
+              told.with_unit("z"), told("teeth"));
     with_interval(page, rows, plane, "mean_thickness");
     if (plane.teeth > 1)
         with_interval(page, rows, plane, "runout", "from tooth " + told("runout_from") + " to " + told("runout_to"));
@@ -108,13 +109,16 @@ void write_flanks(Page& page, std::vector<FlankFigures> const& flanks)
 void write_definitions(Page& page, Inspection const& inspection)
 {
     page.line("\ndefinitions");
+    if (inspection.options.part == InspectedPart::circular_spline)
+        page.line("  tooth       a tooth space of the circular spline; its thickness is the width of the space");
     page.line("  deviation   signed distance to the nominal flank along its normal, less the probe's radius; positive");
     page.line("              outside the material; the parabola is that of least squares against arc length");
     page.line(
         "  position    arc along the reference circle by which the flank is turned clockwise: there the parabola is");
     page.line("              0 at the middle of the flank. Profile figures are those of the flank so turned");
     page.line(
-        "  slope       rise of the parabola from the root end of the flank to its tip end, positive: tip too thick");
+        "  slope       rise of the parabola from the root end of the flank to its tip end, positive: too much material "
+        "there");
     page.line("  crowning    height of the parabola at the middle above its chord");
     page.line("  form, total largest less smallest deviation from the parabola; from the nominal flank");
     page.line("  f_pt, F_p   largest pitch deviation; largest less smallest position");
@@ -148,7 +152,7 @@ std::string summary_text(Inspection const& inspection, std::vector<WrittenFile> 
     for (auto const& side : inspection.sides)
         write_side(page, side);
     for (auto const& plane : inspection.planes)
-        write_plane(page, plane);
+        write_plane(page, options.part, plane);
     write_flanks(page, inspection.flanks);
     write_definitions(page, inspection);
     for (auto const& file : written)

@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 
+#include "hdconj/inspect_files.hpp"
 #include "hdconj/result_files.hpp"
 #include "support/catch.hpp"
 #include "support/json_keys.hpp"
@@ -95,6 +96,16 @@ TEST_CASE("docs/reference/json.md names every key")
     CHECK(keys.size() > 60);
     for (auto const& key : keys)
         CHECK_THAT(document, ContainsSubstring("`" + key + "`"));
+}
+
+TEST_CASE("what is measured of a circular spline are its tooth spaces")
+{
+    Inspection inspection;
+    inspection.planes.emplace_back();
+    CHECK_THAT(summary_text(inspection, {}), ContainsSubstring("\nteeth at z = ") && !ContainsSubstring("tooth space"));
+    inspection.options.part = InspectedPart::circular_spline;
+    CHECK_THAT(summary_text(inspection, {}),
+               ContainsSubstring("\ntooth spaces at z = ") && ContainsSubstring("width of the space"));
 }
 
 }  // namespace hdconj::test::summary_cases
