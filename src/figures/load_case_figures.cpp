@@ -67,7 +67,7 @@ Rows<LoadCase> load_case_figures()
         depth_of_tips<&T::tips>("tip_interference", "how deep tips interfere along the radius; 0: they pass"),
         depth_of_tips<&T::given_tips>("given_tip_interference",
                                       "the same with side clearance and tip circle of the scene, where not used"),
-        pair<&T::backlash, &T::backlash_error>("backlash", arcmin, "backlash without torque",
+        pair<&T::backlash, &T::backlash_error>("backlash", arcmin, "backlash of the circular spline, without torque",
                                                {"backlash", fixed<2>, significant<2>})
             .without(hdf5_error),  // with the estimates of the case
         stage<&Stages::first, &Stages::first_error>("first_stage", "slope of the first of two lines through the curve",
@@ -96,15 +96,18 @@ Rows<CatalogueFigures> catalogue_rows()
     using T = CatalogueFigures;
     using Torque = CatalogueTorques;
     static constexpr std::array rows = {
-        figure<&T::torque, &Torque::first>("T1", newton_metre, "torque up to which K1 reaches", {"T1", significant<4>}),
-        figure<&T::torque, &Torque::second>("T2", newton_metre, "torque up to which K2 reaches",
+        figure<&T::torque, &Torque::first>("T1", newton_metre, "torque on the circular spline up to which K1 reaches",
+                                           {"T1", significant<4>}),
+        figure<&T::torque, &Torque::second>("T2", newton_metre, "torque on the circular spline up to which K2 reaches",
                                             {"T2", significant<4>}),
         figure<&T::torque, &Torque::lost_motion>("lost_motion_torque", newton_metre,
-                                                 "torque of either sign of the lost motion", {"at +-", significant<4>}),
-        catalogue_stiffness<&T::k1>("K1", "stiffness from zero torque to T1"),
-        catalogue_stiffness<&T::k2>("K2", "stiffness from T1 to T2"),
-        catalogue_stiffness<&T::k3>("K3", "stiffness from T2 to the rated torque"),
-        pair<&T::lost_motion, &T::lost_motion_error>("lost_motion", arcmin, "turn between both signs of that torque",
+                                                 "torque on the circular spline, of either sign, of the lost motion",
+                                                 {"at +-", significant<4>}),
+        catalogue_stiffness<&T::k1>("K1", "stiffness of the circular spline from zero torque to T1"),
+        catalogue_stiffness<&T::k2>("K2", "stiffness of the circular spline from T1 to T2"),
+        catalogue_stiffness<&T::k3>("K3", "stiffness of the circular spline from T2 to the rated torque"),
+        pair<&T::lost_motion, &T::lost_motion_error>("lost_motion", arcmin,
+                                                     "turn of the circular spline between both signs of that torque",
                                                      {"lost motion", fixed<2>, significant<2>}),
         figure<&T::estimated>("estimated", one, "whether the errors are estimates")};
     return Rows<T>(rows);

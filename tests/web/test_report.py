@@ -6,6 +6,7 @@
 
 With HDCONJ_FULL in the environment also pages of a drive under load and of 40 slices.
 """
+import csv
 import json
 import math
 import os
@@ -523,6 +524,23 @@ class Reports(unittest.TestCase):
             self.assertAlmostEqual(shown, sequence["peak_to_peak_arcsec"], places=9)
         starting = next(value for name, value in rows.items() if name.startswith("Starting torque"))
         self.assertAlmostEqual(starting, told["losses"]["starting_torque_Nm"], places=12)
+
+    def test_card_has_the_figures_of_the_output(self):
+        with Page(running_page()) as page:
+            see(page, "run")
+            card = {row.get_attribute("data-name"): float(row.get_attribute("data-value"))
+                    for row in page.locator("#run tr[data-name]").all()}
+            self.assertIn("the cup is the output", page.locator("#run h3").first.inner_text())
+            see(page, "numbers")
+            page.locator("#numbers button").click()
+            rows = csv.reader(page.locator("#numbers button").get_attribute("data-csv").splitlines())
+            of_spline = {row[1]: float(row[2]) for row in rows if row[0].startswith("load/load") and row[2]
+                         and not row[0].endswith("curve")}
+        further = 202 / 200  # the cup turns, under a torque as much smaller
+        for name, key in ("Backlash", "backlash"), ("Lost motion", "lost_motion"):
+            self.assertAlmostEqual(card[name], 60 * math.degrees(of_spline[key]) * further, places=9)
+        for name in "K1", "K2", "K3":
+            self.assertAlmostEqual(card[name], of_spline[name] / 1000 * math.radians(1 / 60) / further ** 2, places=9)
 
     def test_running_drive_without_scripts(self):
         page = running_page()

@@ -85,17 +85,21 @@ function card(drive, running, losses) {
   const load = groupAt(drive.results.load, "load");
   const index = (load && load.attributes && load.attributes.written_case) || 0;
   const catalogue = groupAt(load, `case_${String(index).padStart(3, "0")}/catalogue`);
-  const perArcmin = newtonMetre / (degree / 60);
+  const turnsCup = running.attributes?.output === "flexspline";
+  // load has the figures of the circular spline: a cup turns so much further under a torque so much smaller
+  const further = turnsCup ? drive.circular_spline_teeth / drive.flexspline_teeth : 1;
+  const arcmin = degree / 60 / further, perArcmin = further * newtonMetre / arcmin;
   const rows = [...rowOf(say("ratio"), running, "ratio", 0, 1, ""),
     ...rowOf(say("ratedTorque"), running, "torque", 0, newtonMetre, "N m"),
     ...["K1", "K2", "K3"].flatMap((k) => rowOf(k, catalogue, k, 0, perArcmin, "N m/arcmin")),
-    ...rowOf(say("backlash"), load, "backlash", index, degree / 60, "arcmin"),
-    ...rowOf(say("lostMotion"), catalogue, "lost_motion", 0, degree / 60, "arcmin"),
+    ...rowOf(say("backlash"), load, "backlash", index, arcmin, "arcmin"),
+    ...rowOf(say("lostMotion"), catalogue, "lost_motion", 0, arcmin, "arcmin"),
     ...sequencesOf(running).flatMap(({ group, name }) =>
       rowOf(`${say("transmissionError")}, ${name}`, group, "peak_to_peak", 0, arcsecond, "arcsec")),
     ...rowOf(say("startingTorque"), losses, "starting_torque", 0, newtonMetre, "N m"),
     ...rowOf(say("backDriving"), losses, "back_driving_torque", 0, newtonMetre, "N m")];
-  return make("div", { class: "wide" }, make("h3", {}, say("card")), make("table", { "class": "keys",
+  return make("div", { class: "wide" }, make("h3", {},
+    `${say("card")}: ${say(turnsCup ? "cupIsOutput" : "splineIsOutput")}`), make("table", { "class": "keys",
     "aria-label": say("card") }, make("tbody", {}, ...rows.map(([name, value, error, units]) => make("tr",
     { "data-name": name, "data-value": value }, make("th", { scope: "row" }, name), make("td", {}, shown(value, error)),
     make("td", {}, plusMinus(error)), make("td", {}, units,

@@ -80,6 +80,7 @@ const english = {
   computedPoints: "Dots are computed. Between them the torque lost is interpolated in straight lines",
   leftOutPoint: "interpolated across a computed point, the map is off by at most",
   percentPoints: "points of efficiency", efficiencyUnit: "efficiency [%]", card: "Card of the drive",
+  cupIsOutput: "the cup is the output", splineIsOutput: "the circular spline is the output",
   peakToPeak: "peak to peak", ratio: "Ratio", ratedTorque: "Torque on the output", backlash: "Backlash",
   lostMotion: "Lost motion",
   startingTorque: "Starting torque of the wave generator", backDriving: "Back-driving torque on the output",
