@@ -10,6 +10,7 @@ import csv
 import json
 import math
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -382,6 +383,15 @@ class Reports(unittest.TestCase):
                 read = picture.locator("xpath=..").locator(".reading").inner_text()
                 shown = float(read.split(": ")[1])
                 self.assertAlmostEqual(shown, 1000 * gaps[len(gaps) // 2, 0, 1], delta=1e-4)
+                self.assert_map_ends_with_the_toothing(picture)
+
+    def assert_map_ends_with_the_toothing(self, picture):
+        """Three slices of a toothing 2 mm wide: the middle one stands for half of it, the others for a quarter each."""
+        boxes = re.findall(r"M\S+ (\S+)H\S+V(\S+)H", "".join(picture.locator("path").evaluate_all(
+            "all => all.map(each => each.getAttribute('d'))")))
+        self.assertEqual({(float(low), float(high)) for low, high in boxes}, {(256, 195), (195, 73), (73, 12)})
+        ticks = [float(text) for text in picture.locator(".axes text[text-anchor=end]").all_text_contents()]
+        self.assertEqual((min(ticks), max(ticks)), (-1, 1))
 
     def test_every_slice_colours_the_tooth_space(self):
         import h5py
@@ -651,13 +661,15 @@ class Reports(unittest.TestCase):
             self.assertIn("±", curve.locator(".u-legend").inner_text())
 
     def test_gaps_and_wire_without_scripts(self):
-        with Page(report("still", TYPE_50, "--with", "contact,wedm"), java_script_enabled=False) as opened:
+        with Page(report("still", TYPE_50, "--set", "slices.count=3", "--set", "circular_spline.width=2", "--with",
+                         "contact,wedm"), java_script_enabled=False) as opened:
             titles = opened.locator("figure:has(svg.chart) figcaption").all_inner_texts()
             self.assertEqual(titles, ["Smallest gap of each flank, left flank",
                                       "Smallest gap of each flank, right flank",
                                       "Wire path at one tooth space, lower face"])
             for picture in opened.locator("svg.chart").all()[:2]:
                 self.assertGreater(picture.locator("path").count(), 3)  # a path for each colour
+                self.assert_map_ends_with_the_toothing(picture)
             # nearly a pitch of the circular spline is seen, its contour inside the picture
             contour = opened.locator("svg.chart").last.locator("path").first.bounding_box()
             self.assertGreater(contour["width"], 300)

@@ -63,7 +63,7 @@ function gapLegend() {
 function gapMaps(smallest) {
   return [say("left"), say("right")].map((name, flank) => heatMap(`${say("gapMap")}, ${name}`, say("spaceAngle"),
     say("height"), Array.from(smallest.angle, (a) => a / degree), smallest.z, (i, k) => smallest.at(i, flank, k),
-    gapColour, gapLegend()).figure);
+    gapColour, gapLegend(), { isRing: true }).figure);
 }
 
 /** The cases of a study: their figures, maps and tooth space; a slider where there are several.

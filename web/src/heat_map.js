@@ -2,10 +2,11 @@
 // Maps of coloured cells under axes, in SVG: they print sharp and can be read by a pointer.
 
 import { make, onTheme, scaleColour, svg } from "./dom.js";
-import { range, shown } from "./data.js";
+import { shown } from "./data.js";
 import { say } from "./texts.js";
 
 const width = 520, height = 300, left = 64, right = 12, top = 12, bottom = 44;
+const near = 3; // a pointer so far outside reads what is at the border
 
 /** Round numbers that cover an interval.
  * @param {number} low @param {number} high @param {number} [count] */
@@ -27,6 +28,20 @@ function scale(low, high, from, to) {
 /** @param {number} v @param {number[]} ends */
 function within(v, ends) {
   return Math.min(ends[1], Math.max(ends[0], v));
+}
+
+/** Borders of cells about @p at, half way between neighbours. The outer cells end at their places, around a ring half a
+ * step further; one alone is 1 wide.
+ * @param {number[]} at @param {boolean} [isRing] */
+function bordersOf(at, isRing) {
+  const half = at.length < 2 ? 0.5 : isRing ? (at[1] - at[0]) / 2 : 0;
+  return [at[0] - half, ...at.slice(1).map((v, i) => (at[i] + v) / 2), at[at.length - 1] + half];
+}
+
+/** Number of the cell in which @p v lies.
+ * @param {number[]} borders @param {number} v */
+function cellAt(borders, v) {
+  return borders.findIndex((border, i) => i > 0 && v <= border) - 1;
 }
 
 /** Axes with their ticks and labels.
@@ -67,14 +82,13 @@ function framed(title, picture, reading, ...more) {
  * @param {ArrayLike<number>} ys @param {(i: number, j: number) => number} value
  * @param {(v: number) => string} paint @param {Node} key  what the colours mean
  * @param {{read?: (x: number, y: number) => string,
- *   over?: (x: (v: number) => number, y: (v: number) => number) => Element}} [more]  the text at the pointer, of the
- *   values there, and what is drawn over the cells
+ *   over?: (x: (v: number) => number, y: (v: number) => number) => Element, isRing?: boolean}} [more]  the text at the
+ *   pointer, of the values there, what is drawn over the cells, and whether the places of x follow each other around
+ *   the ring
  */
 export function heatMap(title, xLabel, yLabel, xs, ys, value, paint, key, more = {}) {
-  const xr = range([xs]), yr = range([ys]);
-  const stepX = (xr[1] - xr[0]) / Math.max(1, xs.length - 1) || 1, stepY = (yr[1] - yr[0]) / Math.max(1,
-    ys.length - 1) || 1;
-  const wx = [xr[0] - stepX / 2, xr[1] + stepX / 2], wy = [yr[0] - stepY / 2, yr[1] + stepY / 2];
+  const bx = bordersOf(Array.from(xs), more.isRing), by = bordersOf(Array.from(ys));
+  const wx = [bx[0], bx[xs.length]], wy = [by[0], by[ys.length]];
   const x = scale(wx[0], wx[1], left, width - right), y = scale(wy[0], wy[1], height - bottom, top);
   const picture = svg("svg", { "viewBox": `0 0 ${width} ${height}`, "class": "chart", "role": "img",
     "aria-label": title });
@@ -87,8 +101,7 @@ export function heatMap(title, xLabel, yLabel, xs, ys, value, paint, key, more =
       for (let j = 0; j < ys.length; ++j) {
         const v = value(i, j);
         if (!Number.isFinite(v)) continue;
-        const colour = paint(v), a = x(xs[i] - stepX / 2), b = x(xs[i] + stepX / 2);
-        const c = y(ys[j] - stepY / 2), d = y(ys[j] + stepY / 2);
+        const colour = paint(v), a = x(bx[i]), b = x(bx[i + 1]), c = y(by[j]), d = y(by[j + 1]);
         const box = `M${a.toFixed(1)} ${c.toFixed(1)}H${(b + 0.3).toFixed(1)}V${d.toFixed(1)}H${a.toFixed(1)}Z`;
         paths.set(colour, (paths.get(colour) || "") + box);
       }
@@ -100,11 +113,12 @@ export function heatMap(title, xLabel, yLabel, xs, ys, value, paint, key, more =
   const reading = make("div", { class: "reading" }, say("hoverHint"));
   onPoint(picture, (e) => {
     const box = picture.getBoundingClientRect();
-    const vx = wx[0] + ((e.clientX - box.left) / box.width * width - left) / (width - right - left) * (wx[1] - wx[0]);
-    const vy = wy[1] - ((e.clientY - box.top) / box.height * height - top) / (height - bottom - top) * (wy[1] - wy[0]);
-    const i = Math.round((vx - xs[0]) / stepX), j = Math.round((vy - ys[0]) / stepY);
-    if (i < 0 || j < 0 || i >= xs.length || j >= ys.length) return;
-    reading.textContent = more.read ? more.read(within(vx, xr), within(vy, yr))
+    const px = (e.clientX - box.left) / box.width * width, py = (e.clientY - box.top) / box.height * height;
+    if (px < left - near || px > width - right + near || py < top - near || py > height - bottom + near) return;
+    const vx = within(wx[0] + (px - left) / (width - right - left) * (wx[1] - wx[0]), wx);
+    const vy = within(wy[1] - (py - top) / (height - bottom - top) * (wy[1] - wy[0]), wy);
+    const i = cellAt(bx, vx), j = cellAt(by, vy);
+    reading.textContent = more.read ? more.read(vx, vy)
       : `${shown(xs[i])}, ${shown(ys[j])}: ${shown(value(i, j))}`;
   });
   return { figure: framed(title, picture, reading, key), redraw };

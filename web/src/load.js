@@ -98,7 +98,7 @@ function mapFigures(load, index, map) {
     known.length ? places.map(({ s }) => known[s]) : []),
     heatMap(say("pressureMap"), say("spaceAngle"), say("height"), xs, z, value, (v) => strong(v / largest),
       make("span", {}, legend("0", scaleEnd(load, index, "largest_pressure", largest, "MPa"), true),
-        make("span", { class: "legend" }, say("white")))).figure];
+        make("span", { class: "legend" }, say("white"))), { isRing: true }).figure];
 }
 
 /** The cup's section coloured by stress, at an angle that one chooses.

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hdconj/units.hpp"
+#include "report/plots/contact_cells.hpp"
 #include "static_axes.hpp"
 
 namespace hdconj::report {
@@ -35,17 +36,6 @@ std::string colour_of(double gap)
     return fmt::format("#{:02x}{:02x}{:02x}", mixed[0], mixed[1], mixed[2]);
 }
 
-/// Borders between the cells around @p places, with those of the outer cells.
-std::vector<double> borders(std::vector<double> const& places)
-{
-    double const step = places.size() > 1 ? places[1] - places[0] : 1;
-    std::vector<double> all{places.front() - step / 2};
-    for (std::size_t i = 1; i < places.size(); ++i)
-        all.push_back((places[i - 1] + places[i]) / 2);
-    all.push_back(places.back() + (all.size() > 1 ? places.back() - all.back() : step / 2));
-    return all;
-}
-
 }  // namespace
 }  // namespace static_cells
 
@@ -58,7 +48,10 @@ std::string static_gap_maps(Json const& contact)
     std::size_t const flanks = angle.size() * 2 * z.size(), points = flanks > 0 ? gap.size() / flanks : 0;
     if (points == 0)
         return "";
-    std::vector<double> const xs = borders(angle), ys = borders(z);
+    // Tooth spaces follow each other around the ring; slices end with the face width, of which one stands for 1 mm.
+    double const half_pitch = angle.size() > 1 ? (angle[1] - angle[0]) / 2 : 0.5, half = z.size() > 1 ? 0 : 0.5;
+    std::vector<double> const xs = cell_borders(angle, angle.front() - half_pitch, angle.back() + half_pitch),
+                              ys = cell_borders(z, z.front() - half, z.back() + half);
     Axis const x = horizontal_axis(xs.front(), xs.back()), y = vertical_axis(ys.front(), ys.back());
     std::string html;
     for (std::size_t flank = 0; flank < 2; ++flank) {
