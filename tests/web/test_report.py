@@ -625,6 +625,12 @@ class Reports(unittest.TestCase):
             page.locator("#numbers button").click()
             self.assertNotIn("NaN", page.locator("#numbers button").get_attribute("data-csv"))
 
+    def test_stress_of_the_section_is_that_of_its_nodes(self):
+        with Page(running_page()) as page:
+            see(page, "load")
+            read = page.locator("#load figure:has(canvas.section) .reading").inner_text()
+            self.assertIn("at the nodes, but not under the bearing, up to", read)
+
     def test_drag_across_a_curve_zooms(self):
         with Page(running_page()) as page:
             see(page, "load")

@@ -143,7 +143,7 @@ function cupSection(load, index) {
     ctx.stroke();
     ctx.fillText(`${bar} mm`, 66, 550);
     ctx.fillText(say("bottomOpen"), 60, 600);
-    reading.textContent = `${(phi[row * kept] / degree).toFixed(1)}°: ≤ ${brief(most)} MPa`;
+    reading.textContent = `${(phi[row * kept] / degree).toFixed(1)}°: ${say("atNodes")} ${brief(most)} MPa`;
   };
   draw();
   onTheme(canvas, draw);

@@ -64,6 +64,7 @@ const english = {
     + "value, and what the rule proposes for it.",
   built: "Program built with", curvesBy: "Curves are drawn by uPlot; its licence", keyFigures: "Figures to look at first", atTorque: "At", andMore: "and more",
   interference: "interference",
+  atNodes: "at the nodes, but not under the bearing, up to",
   white: "empty: no force", bottomOpen: "left: bottom of the cup, right: open end; the axis lies below",
   noErrorNote: "Where the error is empty the program states none, as of counts and given values.", allPasses: "all", wholePart: "Whole part",
   curveHint: "point or press arrow keys to read, drag to zoom, double click for the whole",

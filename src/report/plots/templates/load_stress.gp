@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Section of the cup in the colours of the largest von Mises stress over all angles, and that stress around the axis at
-# the place where it is largest.
+# the corner of an element where it is largest.
 #
 # Columns:
 #   $cells    radius, z [mm]: elements as closed polygons, which empty lines part; one index for each colour
@@ -10,7 +10,7 @@
 #   $bands, $band_ends, $band_words, and the variable quantity: the legend of colours, see common.gp
 # Variables: x_low, x_high, y_low, y_high [mm]; largest [MPa]
 
-subject = "von Mises stress in the cup (elements: mean of their corners), and around the axis where it is largest"
+subject = "von Mises stress in the cup: mean of each element's corners, and around the axis at the largest corner"
 stats $around using 1 name "angle" nooutput
 angle_low = angle_min
 angle_high = angle_max > angle_min ? angle_max : angle_min + 1
