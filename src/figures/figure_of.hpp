@@ -205,6 +205,13 @@ template <auto value, auto error>
     return 3 * error > std::abs(value);
 }
 
+/// The same of a row. @param errors  record that holds its error: @p record, unless errors stand apart
+template <class Record>
+[[nodiscard]] bool is_unconverged(FigureOf<Record> const& row, Record const& record, Record const& errors)
+{
+    return row.error != nullptr && is_unconverged(row.value(record), row.error(errors));
+}
+
 /// A table: all figures of a @p Record, in their order in JSON.
 template <class Record>
 struct Rows : std::span<FigureOf<Record> const>

@@ -198,16 +198,17 @@ Rows<AssembledCup> assembled_cup_figures(int balls)
 std::vector<std::string> unconverged_figures(LoadCase const& each, int balls)
 {
     std::vector<std::string> names;
-    auto const* state = rated_state(each);
-    if (each.estimated && state != nullptr)
-        for (auto const& figure : loaded_state_figures(balls))
-            if (figure.error != nullptr && figure.is_in(hdf5_error) && figure.value(*state) != 0 &&
-                is_unconverged(figure.value(*state), figure.value(each.error)))
-                names.emplace_back(figure.name);
+    auto const add = [&names](auto const& rows, auto const& record, auto const& errors) {
+        for (auto const& row : rows)  // some stand in two units
+            if (is_unconverged(row, record, errors) && std::ranges::find(names, row.name) == names.end())
+                names.emplace_back(row.name);
+    };
+    if (each.estimated)
+        add(load_case_figures(), each, each);
+    if (auto const* state = rated_state(each); each.estimated && state != nullptr)
+        add(loaded_state_figures(balls), *state, each.error);
     if (each.catalogue && each.catalogue->estimated)
-        for (auto const& figure : catalogue_rows())
-            if (figure.error != nullptr && is_unconverged(figure.value(*each.catalogue), figure.error(*each.catalogue)))
-                names.emplace_back(figure.name);
+        add(catalogue_rows(), *each.catalogue, *each.catalogue);
     return names;
 }
 

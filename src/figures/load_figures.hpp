@@ -50,7 +50,8 @@ inline constexpr Name flank_position_of_gap{flank_position.now, "height"};
     return state < each.curve_error.size() && each.curve_error[state] ? &*each.curve_error[state] : nullptr;
 }
 
-/// Figures at the largest torque and of the catalogue whose error exceeds a third of them, by their names in HDF5.
+/// Figures of a case, at its largest torque and of the catalogue whose error exceeds a third of them, by their names in
+/// HDF5.
 [[nodiscard]] std::vector<std::string> unconverged_figures(LoadCase const& each, int balls);
 
 /// The case that the shape is of; null where there is none.

@@ -340,6 +340,8 @@ TEST_CASE("load: text, JSON and HDF5 have the same figures and errors", "[load][
     auto const marked = each.at("not_converged").get<std::set<std::string>>();
     CHECK(hdconj::test::has_link(file, "/load/case_000/not_converged") == !marked.empty());
     CHECK((results.text.find("?: more than a third") == std::string::npos) == marked.empty());
+    CHECK(marked.contains("backlash") ==
+          (3 * number(each, "backlash_error_arcmin") > std::abs(number(each, "backlash_arcmin"))));
     auto const& cup = load.at("cup");
     auto const& cup_error = cup.at("error");
     auto const& text = results.text;

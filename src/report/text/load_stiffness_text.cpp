@@ -23,10 +23,8 @@ std::string stiffness_along(LoadStudy const& study, LoadCase const& each)
         if (!(sign * state.torque > 0) || (sign * state.torque < next && i != each.rated))
             continue;
         next = sign * state.torque + apart * std::abs(study.rated_torque);
-        Told const told(rows, state);
-        auto const* error = figures::error_of(each, i);
-        text += fmt::format("{}{}{} at {:.4g}", text.empty() ? "" : ", ", told("stiffness"),
-                            error != nullptr ? " +- " + rows["stiffness"].error_text(*error) : "",
+        text += fmt::format("{}{} at {:.4g}", text.empty() ? "" : ", ",
+                            with_marked_error(rows["stiffness"], state, figures::error_of(each, i)),
                             state.torque / newton_metre);
     }
     return text;
@@ -45,8 +43,9 @@ void write_catalogue(Page& page, LoadStudy const& study)
             page.line("\nas catalogues state it: K1 from 0 to {}, K2 from there to {}, K3 from there to {}",
                       told.with_unit("T1"), told.with_unit("T2"), rated_torque(study));
         }
-        page.line("  {}: lost motion {}{} arcmin at +-{}", figures::case_name(each), told("lost_motion"),
-                  each.catalogue->estimated ? " +- " + told.error("lost_motion") : "",
+        page.line("  {}: lost motion {} arcmin at +-{}", figures::case_name(each),
+                  with_marked_error(figures::catalogue_rows()["lost_motion"], *each.catalogue,
+                                    each.catalogue->estimated ? &*each.catalogue : nullptr),
                   told.with_unit("lost_motion_torque"));
     }
 }
@@ -82,14 +81,14 @@ void write_stiffness(Page& page, LoadStudy const& study)
     for (auto const& each : study.cases) {
         if (!each.stages.found)
             continue;
-        Told const told(figures::load_case_figures(), each);
+        auto const rows = figures::load_case_figures();
         auto const with_error = [&](char const* name) {
-            return told(name) + (each.estimated ? " +- " + told.error(name) : "");
+            return with_marked_error(rows[name], each, each.estimated ? &each : nullptr);
         };
         page.line(
             "  {}: two straight lines instead: {} and {} N m/deg, knee at {} N m; they miss the curve by {} (rms)",
             figures::case_name(each), with_error("first_stage"), with_error("second_stage"), with_error("knee"),
-            told.with_unit("stages_rms"));
+            rows["stages_rms"].value_with_unit(each));
     }
 }
 

@@ -43,19 +43,20 @@ void write_errors_of(Page& page, LoadStudy const& study, LoadCase const& each)
             "--no-errors");
         return;
     }
-    auto const names = figures::unconverged_figures(each, study.balls);
-    auto const marked = [&](auto const& told, char const* name) {
-        return told.error(name) + (std::ranges::find(names, name) != names.end() ? "?" : "");
-    };
-    ToldLoad const told(figures::load_case_figures(), each);
-    Told const at(figures::loaded_state_figures(study.balls), each.error);
-    std::string row = fmt::format("{:<25}{:>8}{:>10}", "    +-", "", told.error("backlash"));
+    std::string row = fmt::format("{:<25}{:>8}{:>10}", "    +-", "",
+                                  marked_error(figures::load_case_figures()["backlash"], each, each));
     for (char const* const name : {"K1", "K2", "K3"})
-        row +=
-            fmt::format("{:>9}", each.catalogue ? marked(Told(figures::catalogue_rows(), *each.catalogue), name) : "-");
-    page.line("{}{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", row, marked(at, "twist"), at.error("teeth"),
-              marked(at, "contact_fraction"), marked(at, "fraction_within_gap"), marked(at, "largest_line_load"),
-              marked(at, "largest_force"), each.error.largest_stress > 0 ? marked(at, "largest_stress") : "-");
+        row += fmt::format(
+            "{:>9}",
+            each.catalogue ? marked_error(figures::catalogue_rows()[name], *each.catalogue, *each.catalogue) : "-");
+    LoadedState const none;
+    auto const* state = figures::rated_state(each);
+    auto const error = [&, rows = figures::loaded_state_figures(study.balls)](char const* name) {
+        return marked_error(rows[name], state != nullptr ? *state : none, each.error);
+    };
+    page.line("{}{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", row, error("twist"), error("teeth"), error("contact_fraction"),
+              error("fraction_within_gap"), error("largest_line_load"), error("largest_force"),
+              each.error.largest_stress > 0 ? error("largest_stress") : "-");
 }
 
 /// The surfaces that are not as the scene gives them, those that were cleared or the others.
@@ -86,6 +87,17 @@ void write_changed(Page& page, LoadStudy const& study, bool cleared)
     }
 }
 
+/// Whether a figure of a case, or the stiffness along its curve, has not converged.
+bool has_unconverged(LoadStudy const& study, LoadCase const& each)
+{
+    auto const stiffness = figures::loaded_state_figures(study.balls)["stiffness"];
+    for (std::size_t i = 0; i < each.curve.size(); ++i)
+        if (auto const* error = figures::error_of(each, i);
+            error != nullptr && figures::is_unconverged(stiffness, each.curve[i], *error))
+            return true;
+    return !figures::unconverged_figures(each, study.balls).empty();
+}
+
 /// What the signs in the table mean, of those that are there.
 void write_legend(Page& page, LoadStudy const& study)
 {
@@ -98,7 +110,7 @@ void write_legend(Page& page, LoadStudy const& study)
     page.line(
         "  +-: four times the difference from a grid half as fine in slices, flank points, circles and harmonics, on "
         "another mesh (twelve times below nine slices)");
-    if (any([&](auto const& each) { return !figures::unconverged_figures(each, study.balls).empty(); }))
+    if (any([&](auto const& each) { return has_unconverged(study, each); }))
         page.line("  ?: more than a third of the figure, which has not converged; try slices.count = 17 or 33");
     if (study.sharp_steps) {
         page.line(

@@ -21,6 +21,22 @@ void write_stiffness(Page& page, LoadStudy const& study);
 /// What the twist at the largest torque consists of.
 void write_members(Page& page, LoadStudy const& study);
 
+/// "0.92?": an error, marked where its figure has not converged.
+template <class Record>
+[[nodiscard]] std::string marked_error(figures::FigureOf<Record> const& row, Record const& record, Record const& errors)
+{
+    return row.error_text(errors) + (figures::is_unconverged(row, record, errors) ? "?" : "");
+}
+
+/// "2.03 +- 0.92?": a figure and, where there are estimates, its error.
+/// @param errors  record that holds it: @p record itself, or that of figures whose errors stand apart; null: none
+template <class Record>
+[[nodiscard]] std::string with_marked_error(figures::FigureOf<Record> const& row, Record const& record,
+                                            Record const* errors)
+{
+    return row.value_text(record) + (errors != nullptr ? " +- " + marked_error(row, record, *errors) : "");
+}
+
 /// "28 N m"
 [[nodiscard]] std::string rated_torque(LoadStudy const& study);
 

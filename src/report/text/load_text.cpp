@@ -103,12 +103,12 @@ void write_load_setting(Page& page, LoadStudy const& study)
 /// Pressure of the flanks where it is determined, and what edges and ends carry.
 std::string pressure_words(LoadStudy const& study, LoadCase const& each, LoadedState const& state)
 {
-    Told const told(figures::loaded_state_figures(study.balls), state);
-    Told const errors(figures::loaded_state_figures(study.balls), each.error);
+    auto const rows = figures::loaded_state_figures(study.balls);
+    Told const told(rows, state);
     auto const with_error = [&](char const* name) {
-        return told(name) + (each.estimated ? " +- " + errors.error(name) : "");
+        return with_marked_error(rows[name], state, each.estimated ? &each.error : nullptr);
     };
-    bool const determined = each.estimated && !figures::is_unconverged(state.flank_pressure, each.error.flank_pressure);
+    bool const determined = each.estimated && !figures::is_unconverged(rows["flank_pressure"], state, each.error);
     std::string const pressure =
         state.flank_pressure == 0 ? "no force"
         : determined              ? with_error("flank_pressure") + " MPa"
@@ -142,19 +142,18 @@ void write_largest(Page& page, LoadStudy const& study)
 
 void write_bearing(Page& page, LoadStudy const& study, LoadCase const& each, LoadedState const& state)
 {
-    Told const told(figures::loaded_state_figures(study.balls), state);
-    Told const errors(figures::loaded_state_figures(study.balls), each.error);
+    auto const rows = figures::loaded_state_figures(study.balls);
+    Told const told(rows, state);
     auto const with_error = [&](char const* name) {
-        return told(name) + (each.estimated ? " +- " + errors.error(name) : "");
+        return with_marked_error(rows[name], state, each.estimated ? &each.error : nullptr);
     };
     std::string text =
         fmt::format("  {}: lobe at the major axis {} N along it, {} N across it, at z = {} mm; wave generator {} N m",
                     figures::case_name(each), with_error("lobe_force"), with_error("lobe_force_across"),
                     with_error("lobe_z"), with_error("wave_generator_torque"));
     if (state.ball_force > 0) {
-        text +=
-            fmt::format("; balls up to {} {} at {}", with_error("ball_force"),
-                        figures::loaded_state_figures(study.balls)["ball_force"].unit.text, told.with_unit("ball_phi"));
+        text += fmt::format("; balls up to {} {} at {}", with_error("ball_force"), rows["ball_force"].unit.text,
+                            told.with_unit("ball_phi"));
         text += study.balls > 0 ? fmt::format(", {} of {} carry", told("balls"), study.balls) : "";
     }
     page.line("{}", text);

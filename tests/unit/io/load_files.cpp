@@ -317,6 +317,28 @@ TEST_CASE("JSON of a load study has the figures of the solution and of each case
     CHECK_FALSE(load.contains("measured"));
 }
 
+TEST_CASE("every figure of a case whose error exceeds a third of it is marked", "[load][errors]")
+{
+    auto study = sample::load_study();
+    LoadCase& each = study.cases[1];
+    each.estimated = true;
+    auto const marked = [&] {
+        auto const object = nlohmann::json::parse(summary_json(study)).at("load").at("cases").at(1);
+        return object.at("not_converged").get<std::vector<std::string>>();
+    };
+    CHECK(marked().empty());
+    each.backlash_error = 0.34 * each.backlash;
+    each.stages.second_error = 0.34 * each.stages.second;
+    each.stages.knee_error = 0.34 * each.stages.knee;
+    each.error.teeth = each.curve[each.rated].teeth;
+    CHECK(marked() == std::vector<std::string>{"backlash", "second_stage", "knee", "teeth"});
+    auto const text = summary_text(study);
+    CHECK_THAT(text, ContainsSubstring("and 183 +- 62? N m/deg, knee at 12.0 +- 4.1? N m"));
+    CHECK_THAT(text, ContainsSubstring("?: more than a third of the figure"));
+    each.backlash_error = 0.33 * each.backlash;
+    CHECK(marked().front() == "second_stage");
+}
+
 TEST_CASE("estimates and balls stand in text and JSON and HDF5 alike", "[load][errors]")
 {
     auto study = sample::load_study();
