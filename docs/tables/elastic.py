@@ -28,7 +28,7 @@ def cup(program, *settings):
         if done.returncode != 0:
             sys.exit(done.stderr.strip())
     coning, force = re.search(
-        r"con(?:es by|ing) (\S+)(?: \+- \S+)? degrees.*(?:with|cup) (\S+)(?: \+- \S+)? N", done.stdout
+        r"con(?:es by|ing)(?: of the whole toothed ring)? (\S+)(?: \+- \S+)? degrees.*(?:with|cup) (\S+)(?: \+- \S+)? N", done.stdout
     ).groups()
     gap = re.search(r"balls .*?(\S+) um", done.stdout)
     return {

@@ -51,7 +51,7 @@ struct ElasticBodyCount
 /// What keep_elastic_bodies() has saved so far.
 [[nodiscard]] ElasticBodyCount elastic_body_count();
 
-/// One line of text: coning, forces, and whether the ring leaves its balls.
+/// One line of text: coning and force with their errors, if known, and whether the ring leaves its balls; may be empty.
 [[nodiscard]] std::string describe(elastic::BentCup const& cup, std::optional<BentCupError> const& error);
 
 }  // namespace hdconj

@@ -214,16 +214,15 @@ BentCupError elastic_cup_error(Scene const& scene, elastic::BentCup const& cup)
 std::string describe(elastic::BentCup const& cup, std::optional<BentCupError> const& error)
 {
     elastic::WaveGeneratorContact const& contact = cup.contact();
-    auto const known = [&](double value, double BentCupError::*off, double unit) {
-        return short_number(value / unit) + (error ? " +- " + rounded((*error).*off / unit) : "");
-    };
-    std::string text = "elastic cup: coning " + known(cup.coning(0), &BentCupError::coning_major, deg) +
-                       " degrees at the major axis; force between bearing and cup " +
-                       known(contact.total_force, &BentCupError::force, 1) + " N";
+    std::string text;
+    if (error)
+        text = "; coning of the whole toothed ring " + short_number(cup.coning(0) / deg) + " +- " +
+               rounded(error->coning_major / deg) + " degrees at the major axis; force between bearing and cup " +
+               short_number(contact.total_force) + " +- " + rounded(error->force) + " N";
     if (auto const widest = std::max_element(contact.ball_gap.begin(), contact.ball_gap.end());
         widest != contact.ball_gap.end() && *widest > 0)
         text += "; largest gap between outer ring and balls " + short_number(per_um * *widest) + " um";
-    return text;
+    return text.empty() ? text : "elastic cup" + text.replace(0, 1, ":");
 }
 
 }  // namespace hdconj

@@ -43,7 +43,8 @@ TEST_CASE("solving with the elastic cup enters its stage once and others not at 
     CHECK(with.circular_spline.outline.size() == 3);
     CHECK(with.check->smallest_clearance > -1e-6);
     REQUIRE_FALSE(with.notes.empty());
-    CHECK_THAT(with.notes.front(), ContainsSubstring("coning 1.2"));
+    CHECK_THAT(with.notes.front(), ContainsSubstring("coning of the whole toothed ring 1.2"));
+    CHECK_THAT(describe(*with.cup, std::nullopt), !ContainsSubstring("coning"));  // of an error that is not known
 
     std::map<Stage, int> linear;
     Solution const without =

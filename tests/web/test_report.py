@@ -193,7 +193,9 @@ class Reports(unittest.TestCase):
                 # the page's own measurement between both polygons
                 measured = float(page.locator("[data-gap]").nth(0).get_attribute("data-gap"))
                 self.assertAlmostEqual(measured, smallest, delta=0.005)
+            self.assertIn("Without the cone of the cup", page.locator(".computed").inner_text())
             see(page, "axial")
+            self.assertIn("Without the cone of the cup", page.locator("#axial").inner_text())
             worst = min(states, key=lambda state: state["contact_fraction"])
             self.assertIn(f"Wave generator at {round(worst['wave_generator_deg'], 3):g}°, worst of the revolution",
                           page.locator("#axial").inner_text())
@@ -346,6 +348,7 @@ class Reports(unittest.TestCase):
         with opened("surfaces", "--surface", "tilted,ruled,per-slice") as page:
             see(page, "axial")
             self.assertEqual(page.locator(slider).inner_text().split(), ["Case", "per-slice"])
+            self.assertNotIn("Without the cone of the cup", page.locator("#axial").inner_text())
             self.assertEqual(page.locator("#axial figure:has(table) th").all_inner_texts(),
                              ["tilted", "ruled", "per-slice"])
             self.assertEqual(page.locator("#axial .curves").count(), 0)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What happens along the axis: map of gaps, one tooth space that one can turn, tilts.
 
-import { caseAt, caseNames, differencesOf, writtenCase } from "./cases.js";
+import { caseAt, caseNames, coneNote, differencesOf, writtenCase } from "./cases.js";
 import { chart } from "./curves.js";
 import { column, errorOf, fixed, groupAt, plusMinus, shown } from "./data.js";
 import { choice, colour, legend, make, onTheme, remember, remembered, scaleColour } from "./dom.js";
@@ -79,7 +79,7 @@ function casesView(drive, contact) {
     const angle = Number((angles[i] / degree).toFixed(3)) + 0; // no minus before zero
     list.replaceChildren(make("strong", {}, `${say("stateAngle")} ${angle}°${worst}`), keyFigures(contact, i,
       ["contact_fraction", "contact_area", "teeth", "turn_to_contact", "backlash", "smallest_gap", "flank_clearance",
-        "backlash_offset", "least_side_clearance"]));
+        "backlash_offset", "least_side_clearance"]), ...[coneNote(drive)].flatMap((note) => note || []));
     const smallest = smallestOf(contact, i);
     maps.replaceChildren(...gapMaps(smallest));
     const figure = surfaceFigure(drive, groupAt(contact, "map"), i === written ? null : smallest);

@@ -2,6 +2,8 @@
 // Cases of contact and of load: their names, and which of them is drawn.
 
 import { brief, column, groupAt } from "./data.js";
+import { make } from "./dom.js";
+import { say } from "./texts.js";
 
 const degree = Math.PI / 180;
 
@@ -39,4 +41,11 @@ export function differencesOf(group) {
   const differs = (key) => all.some((each) => each[key] !== all[0][key]);
   const words = /** @type {("surface"|"kind")[]} */ (["surface", "kind"]).filter(differs);
   return { names: all.map((each) => words.map((key) => each[key]).join(", ")), areTilted: differs("tilt") };
+}
+
+/** A line where the contact is that of a drive whose cup does not cone; null elsewhere.
+ * @param {import("./data.js").Drive} drive */
+export function coneNote(drive) {
+  const stages = drive.results.contact?.attributes?.stages;
+  return Array.isArray(stages) && !stages.includes("coning") ? make("p", { class: "note" }, say("noCone")) : null;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view of the teeth in mesh: controls, keys, readings.
 
-import { caseAt, caseNames, writtenCase } from "./cases.js";
+import { caseAt, caseNames, coneNote, writtenCase } from "./cases.js";
 import { column, errorOf, fixed, groupAt, shown, shownError } from "./data.js";
 import { choice, legend, make, onTheme, remember, remembered, toggle } from "./dom.js";
 import { keyFigures } from "./keys.js";
@@ -116,7 +116,8 @@ function teethView(drive, loaded, show) {
     const { state, index, off } = stateAt();
     if (!state || !(off < 1e-7)) return;
     computed.append(make("strong", {}, `${say("computed")}: ${caseNames(contact)[drawn]}`), keyFigures(state, index,
-      ["smallest_gap", "turn_to_contact", "reverse_turn_to_contact", "backlash", "contact_fraction", "teeth"]));
+      ["smallest_gap", "turn_to_contact", "reverse_turn_to_contact", "backlash", "contact_fraction", "teeth"]),
+      coneNote(drive) || "");
   }
   function readPointer() {
     if (!pointer) return;

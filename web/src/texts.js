@@ -32,6 +32,7 @@ const english = {
   spaceAngle: "tooth space, degrees from the major axis", height: "z [mm]", gapMap: "Smallest gap of each flank [um]",
   turnHelp: "Drag or use the arrow keys to turn", surface: "One tooth space over the face width",
   thinMap: "Each slice of a flank has the colour of its smallest gap. The shape drawn is that of",
+  noCone: "Without the cone of the cup: the scene has no table [coning].",
   atMajor: "at the major axis", atMinor: "at the minor axis",
   space: "Tooth space", coning: "Radial displacement of the wall", tilt: "Tilt", radial: "radial displacement [um]",
   torqueTwist: "Twist against torque", twist: "twist [arcmin]", torque: "torque [N m]",

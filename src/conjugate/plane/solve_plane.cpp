@@ -27,7 +27,8 @@ void solve_cup(Solution& out, wavegen::AnyWaveShape const& shape, std::optional<
         known = drive::cup_error(scene, *out.cup, shape, out.geometry.r_m, *width_of_error, out.threads);
         out.error.cup = known->displacement;
     }
-    out.notes.push_back(describe(*out.cup, known));
+    if (std::string const note = describe(*out.cup, known); !note.empty())
+        out.notes.push_back(note);
 }
 
 /// Solves the pair of @p plane, whose tooth, shape and dimensions are known.
