@@ -212,7 +212,8 @@ void add_spline_rows(Sheet& sheet, DesignWishes const& wishes, ConeNeed const& c
                for_cone ? std::optional(DesignRange{cone.clearance, DesignRange().high}) : std::nullopt,
                for_cone ? cone.clearance : wishes.clearance, "mm", for_cone ? "load" : "wish",
                for_cone ? DesignOrigin::computed : DesignOrigin::wish,
-               for_cone ? "more than --clearance, with which the cup would interfere" : ""});
+               for_cone ? "the coned cup needs " + short_number(cone.clearance) + " mm to clear, more than --clearance"
+                        : ""});
     add_steel(sheet, spline_material(), {}, "circular_spline", "circular spline");
 }
 

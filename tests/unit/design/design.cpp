@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "base/text.hpp"
 #include "hdconj/contact.hpp"
 #include "hdconj/design_files.hpp"
 #include "hdconj/load.hpp"
@@ -161,9 +162,13 @@ TEST_CASE("a design under torque keeps its land with the clearances that its con
     all[2].torque = 15 * newton_metre;
     all[2].family = "involute";
     for (DesignWishes const& wishes : all) {
-        Scene const scene = design_drive(wishes).scene;
+        Design const made = design_drive(wishes);
+        Scene const& scene = made.scene;
         INFO(wishes.family << " " << wishes.ratio);
         CHECK(scene.circular_spline.backlash_offset > wishes.clearance);
+        CHECK(std::ranges::count(made.remarks, "side clearance: the coned cup needs " +
+                                                   short_number(scene.circular_spline.backlash_offset) +
+                                                   " mm to clear, more than --clearance") == 1);
         Solution const solved = solve(scene);
         CHECK(2 * solved.geometry.land_half_angle * solved.geometry.circular_spline_inner_radius >=
               wishes.land * scene.drive.module);
