@@ -40,16 +40,22 @@ class Search
 
     void operator()()
     {
-        std::array<WantedCurve, 2> moved;
+        std::array<WantedCurve, 3> moved;
         clock_.run(Stage::neutral_curve, [&] {
             choose_major(flanks(0));
-            fill_errors(find_given());
-            parallel_for(moved.size(), out_.threads, 1,
-                         [&](std::size_t i) { moved[i] = moved_by(i == 0 ? -out_.flank_error : out_.flank_error); });
+            Mesh const mesh = find_given();
+            fill_errors(mesh);
+            MeshBegin const other = mesh.begin.shifted(1);
+            parallel_for(moved.size(), out_.threads, 1, [&](std::size_t i) {
+                moved[i] = i == 2 ? moved_by(0, &other) : moved_by(i == 0 ? -out_.flank_error : out_.flank_error);
+            });
         });
         clock_.run(Stage::interference, [&] { check_turn(); });
         for (WantedCurve const& other : moved)
-            add_difference(other);
+            add_difference(
+                other, &other == &moved.back()
+                           ? "a beginning that is moved by its error gives"
+                           : fmt::format("flanks that are moved by their error, {:.2g} mm, give", out_.flank_error));
     }
 
   private:
@@ -61,10 +67,12 @@ class Search
     }
 
     /// The closed curve of flanks that are moved outward by @p offset.
-    Mesh find(double offset)
+    /// @param begin  where it is known
+    Mesh find(double offset, MeshBegin const* begin = nullptr)
     {
         FlankPair const pair = flanks(offset);
-        Mesh mesh = mesh_of(pair, rule_, waves_, out_.major_displacement, rounding_);
+        Mesh mesh = begin != nullptr ? mesh_from(*begin, pair, rule_, waves_, rounding_)
+                                     : mesh_of(pair, rule_, waves_, out_.major_displacement, rounding_);
         fill_rows(pair, mesh);
         close(pair);
         return mesh;
@@ -88,8 +96,9 @@ class Search
                         given_.root_limit));
     }
 
-    /// A curve of its own for flanks that are moved outward by @p offset; without rows where they have none.
-    [[nodiscard]] WantedCurve moved_by(double offset) const
+    /// A curve of its own for flanks that are moved outward by @p offset, or another @p begin; without rows where they
+    /// have none.
+    [[nodiscard]] WantedCurve moved_by(double offset, MeshBegin const* begin = nullptr) const
     {
         WantedCurve moved;
         moved.scene = out_.scene;
@@ -97,7 +106,7 @@ class Search
         moved.major_displacement = out_.major_displacement;
         Search search(moved, given_, clock_);
         try {
-            search.find(offset);
+            search.find(offset, begin);
             search.check_turn();
         } catch (NumericalError const&) {
             moved.rows.clear();
@@ -136,13 +145,18 @@ class Search
                 to_deg(out_.touch_end), most_bending));
     }
 
-    /// What a flank that is moved outward by a little does to the curve, per length.
+    /// What a flank that is moved outward by a little does to the curve, per length, and what the error of its
+    /// beginning does.
     void fill_errors(Mesh const& mesh)
     {
         // far above rounding, and still small when it has grown a million times
         double const probe = 0x1p-34 * (given_.flexspline.addendum + given_.flexspline.dedendum);
         Mesh const moved = mesh_of(flanks(probe), rule_, waves_, out_.major_displacement, rounding_);
         Mesh const coarse = mesh_of(flanks(0), rule_, waves_, out_.major_displacement, 64 * rounding_);
+        double const shift = std::hypot(mesh.begin.shift[0], mesh.begin.shift[1]);
+        double const share = shift > probe ? probe / shift : 1;
+        Mesh const begun = shift > 0 ? mesh_from(mesh.begin.shifted(share), flanks(0), rule_, waves_, rounding_) : mesh;
+        double by_begin = 0;
         auto const state_at = [](Mesh const& of, std::size_t row) {
             std::size_t const i = row - of.first;
             return row >= of.first && i < of.curve.points.size() ? std::optional(of.curve.points[i].state[0])
@@ -150,16 +164,17 @@ class Search
         };
         for (std::size_t i = mesh.first; i < out_.rows.size() && out_.rows[i].touching; ++i) {
             WantedCurveRow& row = out_.rows[i];
-            auto const other = state_at(moved, i), same = state_at(coarse, i);
+            auto const other = state_at(moved, i), same = state_at(coarse, i), later = state_at(begun, i);
             double const growth = other ? std::abs(*other - row.displacement) / probe : out_.growth;
             out_.growth = std::max(out_.growth, growth);
-            row.error = out_.growth * out_.flank_error + (same ? std::abs(*same - row.displacement) : 0);
+            by_begin = std::max(by_begin, later ? std::abs(*later - row.displacement) / share : 0);
+            row.error = out_.growth * out_.flank_error + by_begin + (same ? std::abs(*same - row.displacement) : 0);
             out_.error = std::max(out_.error, row.error);
         }
         auto const end_error = [&](Mesh const& of) { return std::abs(of.curve.last.x - out_.parting); };
-        out_.parting_error =
-            mesh.curve.lost ? end_error(moved) / probe * out_.flank_error + end_error(coarse) + mesh.curve.end_error
-                            : 0;
+        out_.parting_error = mesh.curve.lost ? end_error(moved) / probe * out_.flank_error + end_error(begun) / share +
+                                                   end_error(coarse) + mesh.curve.end_error
+                                             : 0;
         out_.touch_end_error = out_.touch_end == out_.parting ? out_.parting_error : 0;
         out_.touch_begin_error =
             std::abs(moved.begin.first - out_.touch_begin) * (out_.flank_error / probe) + mesh.begin.first_error;
@@ -253,8 +268,9 @@ class Search
     }
 
     /// Where a curve leaves its flanks and closes is no smooth function of them: their error moves these figures by as
-    /// much as the curve of @p moved flanks differs.
-    void add_difference(WantedCurve const& moved)
+    /// much as the curve of @p moved flanks differs. The beginning likewise.
+    /// @param moves  what was moved, and a verb
+    void add_difference(WantedCurve const& moved, std::string const& moves)
     {
         constexpr double safety = 1.5;  // two samples of what their error may do
         auto const difference = [&](double WantedCurve::*figure) {
@@ -268,11 +284,7 @@ class Search
         raise(out_.stress_error, difference(&WantedCurve::bending_stress));
         raise(out_.clearance_error, difference(&WantedCurve::smallest_clearance));
         if (moved.rows.empty())
-            out_.notes.push_back(
-                fmt::format("flanks that are moved by their error, {:.2g} mm, give no closed curve: curvature, stress "
-                            "and clearance "
-                            "are not determined",
-                            out_.flank_error));
+            out_.notes.push_back(moves + " no closed curve: curvature, stress and clearance are not determined");
     }
 
     WantedCurve& out_;

@@ -51,7 +51,13 @@ std::string why_parted(FlankPair const& pair, MeshPoint const& last)
 
 Mesh mesh_of(FlankPair const& pair, CurveRule const& rule, int waves, double major, double tolerance)
 {
-    Mesh mesh{mesh_begin(pair, rule, waves, major, std::numbers::pi / waves / 2, tolerance), {}, 0};
+    return mesh_from(mesh_begin(pair, rule, waves, major, std::numbers::pi / waves / 2, tolerance), pair, rule, waves,
+                     tolerance);
+}
+
+Mesh mesh_from(MeshBegin const& begin, FlankPair const& pair, CurveRule const& rule, int waves, double tolerance)
+{
+    Mesh mesh{begin, {}, 0};
     while (mesh.first < half_wave_rows && row_angle(mesh.first, waves) < mesh.begin.point.x)
         ++mesh.first;
     std::vector<double> angles;

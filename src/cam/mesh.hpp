@@ -31,6 +31,10 @@ struct Mesh
 /// @throws NumericalError where they touch on a few rows only, with the angle at which they stop
 [[nodiscard]] Mesh mesh_of(FlankPair const& pair, CurveRule const& rule, int waves, double major, double tolerance);
 
+/// The same from where they begin. @throws as mesh_of
+[[nodiscard]] Mesh mesh_from(MeshBegin const& begin, FlankPair const& pair, CurveRule const& rule, int waves,
+                             double tolerance);
+
 /// Why the flanks part behind @p last: which end of a flank the contact has reached.
 [[nodiscard]] std::string why_parted(FlankPair const& pair, MeshPoint const& last);
 

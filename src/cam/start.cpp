@@ -21,8 +21,14 @@ constexpr double probe_share = 0x1p-20;    ///< of the displacement: difference 
 constexpr double settled_share = 0x1p-30;  ///< of the displacement: below it only rounding is left to gain
 constexpr double touching_turn = 0x1p-30;  ///< rad; flanks that miss each other by less touch on the axis
 constexpr int fit_nodes = 40;              ///< of the fit beyond the beginning
-constexpr int fit_powers = 7;              ///< of the even polynomial: up to x^12
 constexpr double scan_step = 0.1 * deg;
+
+/// What continues the curve to the axis.
+struct AxisFit
+{
+    int powers = 7;       ///< of the even polynomial: up to x^12
+    bool broken = false;  ///< with |x|^3 too
+};
 
 /// What a march from a trial state tells of the axis.
 struct Trial
@@ -53,6 +59,7 @@ class Shooting
             return std::nullopt;
         double const probe = probe_share * std::abs(major_);
         Eigen::Matrix2d slope;
+        std::array<EvenPolynomial, 2> response;
         for (std::size_t i = 0; i < 2; ++i) {
             MeshPoint beside = begin;
             beside.state[i] += probe;
@@ -60,6 +67,9 @@ class Shooting
             if (!other)
                 return std::nullopt;
             slope.col(static_cast<Eigen::Index>(i)) = (other->miss - now->miss) / probe;
+            response[i].scale = now->fit.scale;
+            response[i].add(1 / probe, other->fit);
+            response[i].add(-1 / probe, now->fit);
         }
         constexpr int budget = 12;
         double last = now->miss.norm();
@@ -83,7 +93,12 @@ class Shooting
             return std::nullopt;
         begin.contact = first_contact(begin);
         begin.slope = rule_.slope(rule_.origin(x1_, begin.state), begin.contact.theta);
-        return with_first({begin, x1_, 0, now->fit});
+        MeshBegin result{begin, x1_, 0, now->fit};
+        add_shift(result, now->curve, slope, response);
+        auto const [first, error] = first_touch(result);
+        result.first = first;
+        result.first_error = error + std::abs(first_touch(result.shifted(1)).first - first);
+        return result;
     }
 
   private:
@@ -97,20 +112,50 @@ class Shooting
         return boost::math::quadrature::gauss<double, 20>::integrate(rate, 0.0, x);
     }
 
-    /// Bisects for the angle at which the flanks begin to touch, between the step of the search before and x1.
-    [[nodiscard]] MeshBegin with_first(MeshBegin begin) const
+    /// What other fits of the solution @p curve beyond x1 change, together and with a factor of safety. Of splines of
+    /// rows 1 to 15 degrees apart the fit then errs by less.
+    /// @param slope     of the miss with the states
+    /// @param response  of the fit to the states
+    void add_shift(MeshBegin& begin, MarchedCurve const& curve, Eigen::Matrix2d const& slope,
+                   std::array<EvenPolynomial, 2> const& response) const
     {
-        double low = x1_ - scan_step, high = x1_;
+        constexpr double safety = 2;
+        begin.to_axis_shift.scale = begin.to_axis.scale;
+        for (AxisFit const other : {AxisFit{7, true}, AxisFit{6, false}}) {
+            Trial fitted = trial_of(curve, begin.point, other);
+            Eigen::Vector2d const change = -slope.fullPivLu().solve(fitted.miss);
+            bool const against = change[0] * begin.shift[0] + change[1] * begin.shift[1] < 0;
+            double const factor = against ? -safety : safety;
+            fitted.fit.add(-1, begin.to_axis);
+            for (std::size_t i = 0; i < 2; ++i) {
+                double const moved = change[static_cast<Eigen::Index>(i)];
+                begin.shift[i] += factor * moved;
+                fitted.fit.add(moved, response[i]);
+            }
+            begin.to_axis_shift.add(factor, fitted.fit);
+        }
+    }
+
+    /// Bisects for the angle at which the flanks begin to touch. The curve of the search may have had them begin later.
+    /// @returns it and its error
+    [[nodiscard]] std::pair<double, double> first_touch(MeshBegin const& begin) const
+    {
+        auto const touches = [&](double x) {
+            EvenPolynomial::Value const at = begin.to_axis(x);
+            ToothOrigin const origin = rule_.origin(x, {at.value, tangential_state(begin.to_axis, x)});
+            return !pair_.tangencies(origin, rule_.theta(origin, at.slope)).empty();
+        };
+        double low = std::max(x1_ - scan_step, 0.0), high = x1_;
+        while (low > 0 && touches(low)) {
+            high = low;
+            low = std::max(low - scan_step, 0.0);
+        }
         constexpr int halvings = 24;
         for (int i = 0; i < halvings; ++i) {
             double const middle = (low + high) / 2;
-            EvenPolynomial::Value const at = begin.to_axis(middle);
-            ToothOrigin const origin = rule_.origin(middle, {at.value, tangential_state(begin.to_axis, middle)});
-            (pair_.tangencies(origin, rule_.theta(origin, at.slope)).empty() ? low : high) = middle;
+            (touches(middle) ? high : low) = middle;
         }
-        begin.first = high;
-        begin.first_error = high - low;
-        return begin;
+        return {high, high - low};
     }
 
     [[nodiscard]] Tangency first_contact(MeshPoint const& point) const
@@ -121,22 +166,34 @@ class Shooting
 
     [[nodiscard]] std::optional<Trial> trial(MeshPoint const& begin) const
     {
-        Trial result{march(pair_, rule_, begin, angles_, tolerance_), {}, {}};
-        if (result.curve.lost || result.curve.points.size() != angles_.size())
+        MarchedCurve curve = march(pair_, rule_, begin, angles_, tolerance_);
+        if (curve.lost || curve.points.size() != angles_.size())
             return std::nullopt;
-        Eigen::MatrixXd matrix(fit_nodes, fit_powers);
+        Trial result = trial_of(curve, begin, {});
+        result.curve = std::move(curve);
+        return result;
+    }
+
+    /// Of @p curve, which stays where it is.
+    [[nodiscard]] Trial trial_of(MarchedCurve const& curve, MeshPoint const& begin, AxisFit const& kind) const
+    {
+        Trial result;
+        Eigen::MatrixXd matrix(fit_nodes, kind.powers + (kind.broken ? 1 : 0));
         Eigen::VectorXd right(fit_nodes);
         result.fit.scale = angles_.back();
         for (int i = 0; i < fit_nodes; ++i) {
-            MeshPoint const& at = result.curve.points[static_cast<std::size_t>(i)];
-            double const square = (at.x / result.fit.scale) * (at.x / result.fit.scale);
-            for (int j = 0; j < fit_powers; ++j)
-                matrix(i, j) = j == 0 ? 1 : matrix(i, j - 1) * square;
+            MeshPoint const& at = curve.points[static_cast<std::size_t>(i)];
+            double const s = at.x / result.fit.scale;
+            for (int j = 0; j < kind.powers; ++j)
+                matrix(i, j) = j == 0 ? 1 : matrix(i, j - 1) * s * s;
+            if (kind.broken)
+                matrix(i, kind.powers) = s * s * s;
             right[i] = at.state[0] - major_;
         }
         Eigen::VectorXd const fit = numeric::LeastSquares(matrix).solve(right);
-        result.fit.coefficients.assign(fit.data(), fit.data() + fit_powers);
+        result.fit.coefficients.assign(fit.data(), fit.data() + kind.powers);
         result.fit.coefficients.front() += major_;
+        result.fit.cubic = kind.broken ? fit[kind.powers] : 0;
         double const state = tangential_state(result.fit, x1_);
         result.miss = {fit[0], state - begin.state[1]};
         return result;
@@ -160,18 +217,13 @@ MeshPoint cosine_point(CurveRule const& rule, int waves, double major, double x)
 
 }  // namespace
 
-EvenPolynomial::Value EvenPolynomial::operator()(double x) const
+MeshBegin MeshBegin::shifted(double share) const
 {
-    double const s = x / scale;
-    Value sum;
-    for (std::size_t j = coefficients.size(); j-- > 0;) {
-        // Horner in s^2 for value, d/d(s^2) and its derivative
-        sum.bend = sum.bend * s * s + sum.slope;
-        sum.slope = sum.slope * s * s + sum.value;
-        sum.value = sum.value * s * s + coefficients[j];
-    }
-    double const first = sum.slope, second = 2 * sum.bend;
-    return {sum.value, 2 * s * first / scale, (2 * first + 4 * s * s * second) / (scale * scale)};
+    MeshBegin moved = *this;
+    for (std::size_t i = 0; i < shift.size(); ++i)
+        moved.point.state[i] += share * shift[i];
+    moved.to_axis.add(share, to_axis_shift);
+    return moved;
 }
 
 MeshBegin mesh_begin(FlankPair const& pair, CurveRule const& rule, int waves, double major, double reach,

@@ -3,25 +3,11 @@
 #pragma once
 
 #include <cmath>
-#include <vector>
 
+#include "even_polynomial.hpp"
 #include "march.hpp"
 
 namespace hdconj::cam {
-
-/// Even polynomial: the displacement about an axis of symmetry.
-struct EvenPolynomial
-{
-    double scale = 1;                  ///< of the angle [rad]
-    std::vector<double> coefficients;  ///< of (x/scale)^(2 j) [mm]
-
-    /// Value and slope at @p x from the axis.
-    struct Value
-    {
-        double value = 0, slope = 0, bend = 0;
-    };
-    [[nodiscard]] Value operator()(double x) const;
-};
 
 /// A ring bends no more than this many times as a cosine of the same displacement does.
 inline constexpr double most_bending = 3;
@@ -65,6 +51,11 @@ struct MeshBegin
     double first = 0;        ///< the smallest angle at which they touch on to_axis continued [rad]
     double first_error = 0;  ///< of it [rad]
     EvenPolynomial to_axis;  ///< displacement between the axis and there; no coefficients where they touch on the axis
+    CurveState shift{};      ///< error of the states at point: a cam that breaks near the axis is no even polynomial
+    EvenPolynomial to_axis_shift{};  ///< error of to_axis
+
+    /// The beginning moved by @p share of its error.
+    [[nodiscard]] MeshBegin shifted(double share) const;
 };
 
 /// Finds where the flanks begin to touch on a curve that is symmetric about the major axis and has the displacement
@@ -72,7 +63,8 @@ struct MeshBegin
 ///
 /// Flanks that touch on the axis begin there. Others begin at x1, and two conditions of symmetry, w(0) = major and a
 /// tangential state that vanishes on the axis, determine both states at x1: the even polynomial that goes through the
-/// solution beyond x1 continues it to the axis. Newton's method solves for them.
+/// solution beyond x1 continues it to the axis. Newton's method solves for them. A cam of rows or rollers breaks on the
+/// axis or between its rows: what a polynomial with a break on the axis and one of a power less change tells the error.
 /// @param reach  the angle by which the flanks must have begun [rad]
 /// @param tolerance  of the march [mm]
 /// The polynomial has to keep BendingLimit.

@@ -212,4 +212,36 @@ inline std::optional<GivenFlanks> flanks_of(hdconj::Solution const& solution, or
                        run.back().cuts.back()};
 }
 
+/// The curve of a solved drive by the oracle.
+class KnownCurve
+{
+  public:
+    KnownCurve(hdconj::Scene const& scene, double r_m) : motion(scene), cam_(scene, Number(r_m)) {}
+
+    [[nodiscard]] hdconj::cam::CurveState state(double x) const
+    {
+        Number const s = x, w = cam_(s).w, r_m = motion.r_m;
+        bool const exact = motion.exact;
+        return {static_cast<double>(exact ? motion.r_0 - r_m + w : w),
+                static_cast<double>(r_m * ((exact ? motion.phi(s) : motion.u(s)) - s))};
+    }
+    [[nodiscard]] hdconj::cam::MeshPoint point(hdconj::cam::CurveRule const& rule, double x) const
+    {
+        hdconj::cam::MeshPoint at{x, state(x), static_cast<double>(cam_(Number(x)).slope), {}};
+        at.contact.theta = rule.theta(rule.origin(x, at.state), at.slope);
+        return at;
+    }
+
+    oracle::Motion<Number> motion;
+
+  private:
+    oracle::Cam<Number> cam_;
+};
+
+/// Rounding of a tooth [mm].
+inline double rounding_of(hdconj::Scene const& scene)
+{
+    return 8 * hdconj::unit_roundoff * scene.drive.module;
+}
+
 }  // namespace given_flanks

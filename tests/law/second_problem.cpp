@@ -19,33 +19,8 @@ namespace hdconj::test::second_problem_cases {
 namespace {
 
 using given_flanks::GivenFlanks;
-using given_flanks::Number;
-
-/// The curve of a solved drive by the oracle.
-class KnownCurve
-{
-  public:
-    KnownCurve(Scene const& scene, double r_m) : motion(scene), cam_(scene, Number(r_m)) {}
-
-    [[nodiscard]] cam::CurveState state(double x) const
-    {
-        Number const s = x, w = cam_(s).w, r_m = motion.r_m;
-        bool const exact = motion.exact;
-        return {static_cast<double>(exact ? motion.r_0 - r_m + w : w),
-                static_cast<double>(r_m * ((exact ? motion.phi(s) : motion.u(s)) - s))};
-    }
-    [[nodiscard]] cam::MeshPoint point(cam::CurveRule const& rule, double x) const
-    {
-        cam::MeshPoint at{x, state(x), static_cast<double>(cam_(Number(x)).slope), {}};
-        at.contact.theta = rule.theta(rule.origin(x, at.state), at.slope);
-        return at;
-    }
-
-    oracle::Motion<Number> motion;
-
-  private:
-    oracle::Cam<Number> cam_;
-};
+using given_flanks::KnownCurve;
+using given_flanks::rounding_of;
 
 /// The march over a drive's mesh against its known curve.
 struct Comparison
@@ -58,11 +33,6 @@ struct Comparison
 
 /// Where an error of the flanks grows more than that, rounding of double precision exceeds 1e-9 mm.
 constexpr double most_growth = 1e5;
-
-double rounding_of(Scene const& scene)
-{
-    return 8 * unit_roundoff * scene.drive.module;
-}
 
 Comparison compared(GivenFlanks const& given, KnownCurve const& known, cam::MeshPoint const& begin, double rounding)
 {
