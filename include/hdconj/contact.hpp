@@ -123,15 +123,15 @@ struct ContactCase
     std::optional<TiltKind> kind;                 ///< nothing where there is no tilt
     double tilt = 0;                              ///< [rad]
     double backlash_offset = 0;                   ///< side clearance that the contact is computed with [mm]
-    bool side_clearance_increased =
-        false;       ///< it is more than the scene gives, because with that the teeth enter the flanks
+    bool side_clearance_increased = false;  ///< it is more than the scene gives, because with that the teeth enter the
+                                            ///< flanks; never where the scene says "auto"
     double tip = 0;  ///< and tip circle at z = 0: where nothing enters the flanks then the scene's, as much wider as
                      ///< every slice's land and rim ask for; else least_tip_radius [mm]
     std::vector<SliceClearance> slices;  ///< with the side clearance of the scene; "auto": with none
     double least_side_clearance = 0;     ///< least side clearance that leaves no interference on the flanks over a full
-                                         ///< turn, with that tip circle [mm]
-    double least_tip_radius = 0;      ///< least tip circle at z = 0 that goes with it: every slice has a tip land and
-                                      ///< clears the rim, and the cleared flanks begin on it [mm]
+                                         ///< turn, with least_tip_radius [mm]
+    double least_tip_radius = 0;  ///< tip circle at z = 0 that goes with it: every slice has a tip land and clears the
+                                  ///< rim, and the flanks left by the scene's begin on it when they are moved [mm]
     double least_root_clearance = 0;  ///< least root clearance without interference, beside the scene's [mm]
     double backlash_of_least_side_clearance = 0;  ///< backlash of the least side clearance alone [rad]
     ContactState state;  ///< at the scene's angle of the wave generator; of a revolution the one with the smallest

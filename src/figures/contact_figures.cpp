@@ -85,7 +85,7 @@ Rows<ContactCase> case_figures()
         figure<&T::tip>("tip_radius", mm, "tip circle at z = 0 that the contact is computed with",
                         {"tip circle", decimals<4>}),
         pair<&T::least_tip_radius, &T::least_tip_radius_error>(
-            "least_tip_radius", mm, "smallest tip circle at z = 0 that goes with the least side clearance",
+            "least_tip_radius", mm, "tip circle at z = 0 that goes with the least side clearance",
             {"tip circle", decimals<4>, one_digit})
             .formerly("clearing_tip"),
         pair<&T::least_root_clearance, &T::least_root_clearance_error>(

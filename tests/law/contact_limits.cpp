@@ -205,4 +205,22 @@ TEST_CASE("contact law: play goes to nothing with the side clearance", "[law][co
     }
 }
 
+TEST_CASE("contact law: the least side clearance and its tip circle make a part that is touched and not entered",
+          "[law][contact]")
+{
+    for (auto const& [keys, tilt] : {std::pair(Keys{}, 0.5), std::pair(coned(), 0.5), std::pair(coned(), -1.5)}) {
+        Keys const drive = with(with(keys, sliced(3, "tilted")), tilted(tilt, "radial"));
+        ContactCase const least = only_case(builtin_scene(drive));
+        ContactCase const made = only_case(
+            builtin_scene(with(drive, {"circular_spline.backlash_offset=" + number(least.least_side_clearance),
+                                       "circular_spline.inner_radius=" + number(least.least_tip_radius)})));
+        INFO((keys.empty() ? "straight, tilt " : "coned, tilt ")
+             << tilt << ": clearance " << made.closest_flank().clearance / um << " um");
+        REQUIRE(least.least_side_clearance > 1 * um);
+        CHECK(made.tip == least.least_tip_radius);
+        CHECK_FALSE(made.side_clearance_increased);
+        CHECK(std::abs(made.closest_flank().clearance) <= least.least_side_clearance_error + made.clearance_error);
+    }
+}
+
 }  // namespace hdconj::test::contact_limits_cases

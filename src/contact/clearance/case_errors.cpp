@@ -91,7 +91,7 @@ void write_clearance_errors(ErrorPlanes const& planes, double given, double unse
 }
 
 /// Error of the least distance @p found by which the set must be moved to clear: what still enters between the planes,
-/// by the slope with which moving clears it.
+/// or is clear everywhere, by the slope with which moving clears it.
 /// @param along  between points of the set too
 /// @param turns  of the set at that distance
 double least_clearance_error(ContactContext const& context, SliceClearances const& clearances, ClearanceSet const& set,
@@ -99,15 +99,15 @@ double least_clearance_error(ContactContext const& context, SliceClearances cons
 {
     double const enough = clearance_accuracy(context.tolerance) + set.known;
     double const least = numeric::least_between(lowest_of(turns, along));
-    double const enters = std::max(0.0, -least);
+    double const off = found > 0 ? std::abs(least) : std::max(0.0, -least);
     // nothing was moved and nothing touches: the least is none
     if (found == 0 && least > enough)
         return enough;
     // what clears to `enough` is known to as much over the slope, wherever the search has ended
-    double const step = std::max({enters, enough, context.tolerance.length});
+    double const step = std::max({off, enough, context.tolerance.length});
     double const beyond = numeric::least_between(lowest_of(turns_of(clearances, set, found + step), along));
     double const slope = (beyond - least) / step;
-    return (enters + enough) / std::clamp(slope, flattest_slope, 1.0);
+    return (off + enough) / std::clamp(slope, flattest_slope, 1.0);
 }
 
 double largest_between(std::vector<double> value, double safety = numeric::smooth_function)

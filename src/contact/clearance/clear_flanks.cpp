@@ -2,6 +2,7 @@
 #include "clear_flanks.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -31,9 +32,9 @@ void lift_tip(CaseSurface const& surface, SliceClearances const& clearances, Cle
         reach(surface, cleared, further);
         context.clock.run(Stage::clearance, [&] {
             ClearanceSet const set = flank_set(cleared.flanks.grid, !has_mirrored_flanks(context));
-            // the same flanks as before, a little less of them in slices whose corners rise less
-            if (clearances.worst(set, cleared.offset, clearances(set, cleared.offset)) <
-                -clearance_accuracy(context.tolerance)) {
+            // the same flanks as before, a little less of them in slices whose corners rise less: the least is theirs
+            if (std::abs(clearances.worst(set, cleared.offset, clearances(set, cleared.offset))) >
+                clearance_accuracy(context.tolerance)) {
                 TurnsOfSet at_zero{clearances(set, 0), {}};
                 cleared.offset = least_offset(clearances, set, at_zero, context.tolerance);
             }
