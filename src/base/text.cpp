@@ -61,7 +61,7 @@ std::string at_least_text(double bound)
 std::string at_most_text(double bound)
 {
     std::string const text = at_least_text(-bound);
-    return text.front() == '-' ? text.substr(1) : text;
+    return text.front() == '-' ? text.substr(1) : '-' + text;
 }
 
 std::string length_at_least(double bound)

@@ -1,59 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drive.hpp"
 
-#include <cmath>
-#include <limits>
-#include <numbers>
-
 #include "base/text.hpp"
 #include "curvature_faults.hpp"
 #include "elastic_cup.hpp"
 #include "fault_advice.hpp"
 #include "hdconj/check.hpp"
-#include "hdconj/profile/registry.hpp"
 #include "hdconj/scene/parameter_fault.hpp"
-#include "hdconj/units.hpp"
 #include "scene/usual_drive.hpp"
 #include "yielding_faults.hpp"
 
 namespace hdconj::drive {
-
-namespace {
-
-/// Lengths of points that no tooth of this module has are in another unit.
-void validate_height(scene::FamilyChoice const& choice, double module, profile::Profile& tooth, Faults& faults)
-{
-    constexpr double highest = 10;  // modules; usual teeth are 2 to 3 high
-    double const height = tooth.addendum + tooth.dedendum;
-    bool const file = choice.has("file");
-    if (!(height > highest * module) || !(file || choice.has("points")))
-        return;
-    faults.push_back(scene::parameter_fault(
-        choice, file ? "file" : "points",
-        "the tooth would be " + short_number(height) + " mm high, " + short_number(height / module, 4) + " modules",
-        file ? "name the unit in the heading, such as x [um],y [um], or write millimetres" : "write millimetres"));
-    tooth = {};
-}
-
-}  // namespace
-
-profile::Profile tooth_of(Scene const& scene, bool outside, Faults& faults)
-{
-    Drive const& drive = scene.drive;
-    int const difference = drive.circular_spline_teeth - drive.flexspline_teeth;
-    profile::ToothPlace const place{drive.module,
-                                    outside ? drive.circular_spline_teeth : drive.flexspline_teeth,
-                                    outside ? 0 : scene.flexspline.wall,
-                                    outside ? 0 : scene.flexspline.neutral_offset,
-                                    scene.folder.string(),
-                                    outside,
-                                    difference,
-                                    scene.wave_generator.waves};
-    scene::FamilyChoice const& choice = outside ? *scene.circular_spline.profile : scene.flexspline.profile;
-    profile::Profile tooth = profile::build_profile(choice, place, faults);
-    validate_height(choice, drive.module, tooth, faults);
-    return tooth;
-}
 
 PairGeometry ring_geometry(Scene const& scene, profile::Profile const& tooth)
 {
@@ -89,35 +46,6 @@ PairGeometry pair_geometry(Scene const& scene, profile::Profile const& tooth, do
 int pitches_per_lobe(Scene const& scene)
 {
     return (scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth) / scene.wave_generator.waves;
-}
-
-/// The tooth must fit into its share of the flexspline at every height; a circular-spline tooth into its share of the
-/// circle, which gets wider towards its root.
-void validate_width(Scene const& scene, profile::Profile const& tooth, PairGeometry const& g, bool reverse,
-                    Faults& faults)
-{
-    scene::FamilyChoice const& choice = reverse ? *scene.circular_spline.profile : scene.flexspline.profile;
-    double worst = 0;
-    Vec2 where = Vec2::Zero();
-    double const chord = (tooth.addendum + tooth.dedendum) * 0x1p-10;
-    double const half_pitch =
-        std::numbers::pi / (reverse ? scene.drive.circular_spline_teeth : scene.drive.flexspline_teeth);
-    auto const radius = [&](Vec2 const& p) { return reverse ? given_tooth_seat(g, tooth) - p.y() : g.r_m + p.y(); };
-    for (Vec2 const& p : profile::polygon_of(tooth, chord)) {
-        double const half = std::abs(p.x());
-        double const excess = reverse ? std::atan2(half, radius(p)) - half_pitch : half - half_pitch * radius(p);
-        if (excess > worst) {
-            worst = excess;
-            where = p;
-        }
-    }
-    if (worst > 0)
-        faults.push_back({choice.path, choice.line, "",
-                          "the tooth is wider than its pitch: " + short_number(2 * std::abs(where.x())) +
-                              " mm thick at height " + short_number(where.y() - tooth.pitch_line) +
-                              " mm, where the pitch is " + short_number(2 * half_pitch * radius(where)) + " mm",
-                          "make the tooth thinner, or use fewer teeth or a larger module", "",
-                          thinner_tooth(choice, 2 * worst)});
 }
 
 namespace {

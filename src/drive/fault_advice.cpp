@@ -1,19 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fault_advice.hpp"
 
-#include "base/text.hpp"
 #include "scene/usual_drive.hpp"
 
 namespace hdconj::drive {
-
-std::vector<std::string> thinner_tooth(scene::FamilyChoice const& profile, double excess)
-{
-    constexpr double margin = 1.1;
-    auto const thickness = profile.number("thickness");
-    if (!thickness || *thickness <= 2 * margin * excess)
-        return {};
-    return {profile.path + ".thickness=" + short_number(*thickness - margin * excess, 3)};
-}
 
 void say_likely_cause(Scene const& scene, double w0, bool geometric, Faults& faults)
 {

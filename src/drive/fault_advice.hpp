@@ -2,16 +2,10 @@
 // Advice that goes with the faults of a drive's geometry.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "hdconj/error.hpp"
 #include "hdconj/scene.hpp"
 
 namespace hdconj::drive {
-
-/// What makes the tooth of @p profile thinner by @p excess [mm], as arguments of --set; empty where no number is known.
-[[nodiscard]] std::vector<std::string> thinner_tooth(scene::FamilyChoice const& profile, double excess);
 
 /// Says that the radial deformation @p w0 is unusual and what the flanks need to touch.
 /// @param geometric  whether @p faults may follow from the deformation; it is said first then

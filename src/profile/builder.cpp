@@ -115,4 +115,13 @@ double thickness_at_pitch(scene::FamilyChoice const& choice, ToothPlace const& p
     return s;
 }
 
+void refuse_crossing(scene::ParameterFaults const& refuse, double pointed, std::string const& otherwise)
+{
+    std::string const lower =
+        pointed > 0 ? "write an addendum of at most " + at_most_text(pointed) + ", or " : "write ";
+    refuse("addendum",
+           "the two flanks cross below the tip: the tooth becomes pointed at height " + short_number(pointed),
+           lower + otherwise);
+}
+
 }  // namespace hdconj::profile

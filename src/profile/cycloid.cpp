@@ -134,9 +134,7 @@ Profile cycloid_tooth(scene::FamilyChoice const& c, ToothPlace const& place, Fau
     if (!(outside(*tip).point.x() > -pointed_tip * h_a)) {
         numeric::BracketedRoot const crossing =
             numeric::bracketed_root([&](double t) { return outside(t).point.x(); }, 0, *tip);
-        std::string const height = short_number(outside(crossing.x).point.y());
-        refuse("addendum", "the two flanks cross below the tip: the tooth becomes pointed at height " + height,
-               "write an addendum of at most " + height + ", or a larger thickness or addendum_rolling_radius");
+        refuse_crossing(refuse, outside(crossing.x).point.y(), "a larger thickness or addendum_rolling_radius");
         return {};
     }
     return symmetric_tooth(flank_of(outside, *tip, inside, *root, cut, curve_accuracy * (h_a + h_f)), place, h_a, h_f);

@@ -115,8 +115,6 @@ Profile double_circular_arc_tooth(scene::FamilyChoice const& c, ToothPlace const
         refuse("addendum",
                "the two flanks cross below the tip: half the tip thickness would be " + short_number(tip_point.x()),
                "write a smaller addendum or move the convex arc outward (smaller convex_offset)");
-        double const offset = c.number_or("convex_offset", 0) + tip_point.x() - usual_half_land * place.module;
-        faults.back().set = {c.path + ".convex_offset=" + short_number(offset, 3)};
     }
     if (refuse.any())
         return {};

@@ -114,11 +114,7 @@ Profile involute_tooth(scene::FamilyChoice const& c, ToothPlace const& place, Fa
     if (!(half_tip > -pointed_tip * h_a)) {
         numeric::BracketedRoot const crossing = numeric::bracketed_root([&](double t) { return involute(t).point.x(); },
                                                                         std::min(0.0, tip_end), std::max(0.0, tip_end));
-        double const pointed = involute(crossing.x).point.y();
-        refuse("addendum",
-               "the two flanks cross below the tip: the tooth becomes pointed at height " + short_number(pointed),
-               "write an addendum of at most " + short_number(pointed) +
-                   ", or a larger thickness or a smaller pressure_angle_deg");
+        refuse_crossing(refuse, involute(crossing.x).point.y(), "a larger thickness or a smaller pressure_angle_deg");
         return {};
     }
     if (!place.internal)

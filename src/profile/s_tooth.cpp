@@ -45,13 +45,34 @@ double eta_of_angle(double kappa, double waves, double alpha)
     return std::atan(k) + std::acos(std::min(1.0, 1 / (kappa * std::hypot(1.0, k))));
 }
 
-/// A tip below the end of the locus at height @p end, where the flank is nearly flat; for numbers of teeth that do not
-/// meet, that of those that do [mm].
-double usual_height(ToothPlace const& place, double end)
+/// Where the flank meets the centre line, or ends at the parameter @p last.
+double pointed_height(HalvedLocus const& locus, double last)
+{
+    numeric::BracketedRoot const crossing =
+        numeric::bracketed_root([&](double e) { return locus(e).point.x(); }, 0, last);
+    return locus(crossing.found ? crossing.x : last).point.y();
+}
+
+/// A tip between the datum point and the end of the locus at @p last, where the flank is nearly flat, or where the
+/// tooth becomes pointed; for numbers of teeth that do not meet, that of those that do. At most 0 where no tip is that
+/// low [mm].
+double usual_height(ToothPlace const& place, HalvedLocus const& locus, double last)
 {
     constexpr double low_tip = 0.9;
     bool const meets = place.tooth_difference > 0 && place.tooth_difference % place.waves == 0;
-    return low_tip * (meets ? end : end * place.waves / std::max(1, place.tooth_difference));
+    double const share = low_tip * (meets ? 1 : static_cast<double>(place.waves) / std::max(1, place.tooth_difference));
+    double const rise = locus.datum.y();
+    return locus.datum.x() > 0 ? rise + share * (pointed_height(locus, last) - rise) : 0;
+}
+
+/// Refuses an addendum beyond the @p end of the locus. @param usual  usual_height()
+void refuse_height(scene::ParameterFaults const& refuse, double usual, double end)
+{
+    std::string const height = usual > 0 ? short_number(usual, 3) : "";
+    refuse("addendum", "the flank ends at height " + short_number(end) + ", below the tip",
+           (usual > 0 ? "write an addendum of at most " + height + ", or " : "write ") +
+               "a larger deflection or datum_rise",
+           height);
 }
 
 /// The S-tooth after Ishikawa ("IH"): a tooth of the flexspline moves along the locus (rack limit: many teeth, no
@@ -93,33 +114,33 @@ Profile s_tooth_tooth(scene::FamilyChoice const& c, ToothPlace const& place, Fau
                       eta_of_angle(kappa, n, std::max(alpha, least)), Vec2::Zero()};
     // at eta = 0 the cycloid of kappa = 1 has a cusp: the curve's radius there is about eta m D / 2
     constexpr double blunt = 0.02;
-    if (!(kappa * std::sin(locus.eta_datum) > blunt))
+    if (std::string const blunted = short_number(std::ceil(60 * blunt / n));
+        !(kappa * std::sin(locus.eta_datum) > blunt))
         refuse("pressure_angle_deg", "the flank would have a cusp at its datum point",
-               "write pressure_angle_deg = " + short_number(std::ceil(60 * blunt / n)) + " or more");
+               "write pressure_angle_deg = " + blunted + " or more", blunted);
     if (refuse.any())
         return {};
 
     double const last = std::numbers::pi - locus.eta_datum;
-    double const end = rise + locus(last).point.y();
+    locus.datum.y() = rise;
+    // the thickness is measured at the pitch line, which the straight part crosses when the datum point is above it
+    std::optional<double> const pitch_line = rise < 0 ? at_height(locus, 0, 0, last) : std::nullopt;
+    locus.datum.x() = half - (pitch_line ? locus(*pitch_line).point.x() : std::max(0.0, rise) * std::tan(alpha));
     // at its end the flank lies flat
     constexpr double flat = 0x1p-20;
+    double const end = locus(last).point.y();
     if (!(h_a < end - flat * (h_a + h_f))) {
-        std::string const height = short_number(usual_height(place, end), 3);
-        refuse("addendum", "the flank ends at height " + short_number(end) + ", below the tip",
-               "write an addendum of at most " + height + ", or a larger deflection or datum_rise");
-        faults.back().set = {c.path + ".addendum=" + height};
+        refuse_height(refuse, usual_height(place, locus, last), end);
         return {};
     }
-    // the thickness is measured at the pitch line, which the straight part crosses when the datum point is above it
-    locus.datum.y() = rise;
-    locus.datum.x() = rise >= 0 ? half - rise * std::tan(alpha) : half - locus(*at_height(locus, 0, 0, last)).point.x();
+    if (!(locus.datum.x() > 0)) {
+        refuse("thickness", "the two flanks cross below the datum point",
+               "write a larger thickness or a smaller datum_rise");
+        return {};
+    }
     double const tip = *at_height(locus, h_a, 0, last);
     if (!(locus(tip).point.x() > -pointed_tip * h_a)) {
-        numeric::BracketedRoot const crossing =
-            numeric::bracketed_root([&](double e) { return locus(e).point.x(); }, 0, last);
-        std::string const height = short_number(crossing.found ? locus(crossing.x).point.y() : rise);
-        refuse("addendum", "the two flanks cross below the tip: the tooth becomes pointed at height " + height,
-               "write an addendum of at most " + height + ", or a larger thickness");
+        refuse_crossing(refuse, pointed_height(locus, last), "a larger thickness");
         return {};
     }
     FlankSegment const curve = curve_segment("locus", polynomial_curve(locus, tip, 0, curve_accuracy * (h_a + h_f)));

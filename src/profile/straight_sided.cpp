@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tooth family "straight": straight flanks, as in Musser's first drives.
+#include <algorithm>
 #include <cmath>
 
-#include "base/text.hpp"
 #include "families.hpp"
 #include "hdconj/units.hpp"
 
@@ -16,14 +16,11 @@ Profile straight_sided_tooth(scene::FamilyChoice const& c, ToothPlace const& pla
     double const half = c.number_or("thickness", 0) / 2;
     double const slope = std::tan(from_deg(c.number_or("pressure_angle_deg", 0)));
     double const tip = half - h_a * slope;
-    if (!(tip >= 0)) {
-        faults.push_back(scene::parameter_fault(
-            c, "addendum", "the two flanks cross below the tip: half the tip thickness would be " + short_number(tip),
-            "write an addendum of at most " + short_number(half / slope)));
-        faults.back().set = {c.path + ".addendum=" + short_number((half - usual_half_land * place.module) / slope, 3)};
+    if (!(tip > -pointed_tip * h_a)) {
+        refuse_crossing({c, faults}, half / slope, "a larger thickness or a smaller pressure_angle_deg");
         return {};
     }
-    FlankSegment const flank{"flank", {LinePiece{{tip, h_a}, {half + h_f * slope, -h_f}}}};
+    FlankSegment const flank{"flank", {LinePiece{{std::max(0.0, tip), h_a}, {half + h_f * slope, -h_f}}}};
     return symmetric_tooth({flank}, place, h_a, h_f);
 }
 

@@ -56,9 +56,6 @@ struct FlankSegment
 [[nodiscard]] Profile whole_tooth(std::vector<FlankSegment> const& segments, ToothPlace const& place, double addendum,
                                   double dedendum, bool mirror_symmetric);
 
-/// Half a usual tip land in modules (design_limits()): what is advised where a tooth is pointed.
-inline constexpr double usual_half_land = 0.21;
-
 /// Tips of typed numbers: half a tip thickness above minus this fraction of the addendum counts as pointed, not as
 /// crossed.
 inline constexpr double pointed_tip = 1e-9;  // digits that designers type
@@ -80,5 +77,9 @@ template <class F>
 /// Tooth thickness at the pitch line: the key `thickness`, half the pitch when absent. A fault when it leaves no space
 /// between the teeth.
 [[nodiscard]] double thickness_at_pitch(scene::FamilyChoice const& choice, ToothPlace const& place, Faults& faults);
+
+/// The fault of an addendum above the height @p pointed at which the two flanks meet.
+/// @param otherwise  what else would help: "a larger thickness"
+void refuse_crossing(scene::ParameterFaults const& refuse, double pointed, std::string const& otherwise);
 
 }  // namespace hdconj::profile

@@ -26,9 +26,12 @@ class ParameterFaults
     }
 
     /// Adds the fault of the key @p key.
-    void operator()(std::string_view key, std::string reason, std::string remedy) const
+    /// @param value  that the remedy names; empty where it names none
+    void operator()(std::string_view key, std::string reason, std::string remedy, std::string const& value = {}) const
     {
         faults_.push_back(parameter_fault(choice_, key, std::move(reason), std::move(remedy)));
+        if (!value.empty())
+            faults_.back().set = {faults_.back().path + "=" + value};
     }
 
     /// Whether the list has grown since this object was made.

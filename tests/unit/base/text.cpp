@@ -26,5 +26,6 @@ TEST_CASE("a bound as text is one that may be written, with at most six digits",
         CHECK(low <= bound);
         CHECK(high - low <= 3e-5 * bound);
         CHECK(at_least_text(-bound) == "-" + at_most_text(bound));
+        CHECK(at_most_text(-bound) == "-" + at_least_text(bound));
     }
 }
