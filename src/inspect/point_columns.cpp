@@ -4,22 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "base/text.hpp"
 #include "file/csv.hpp"
 #include "hdconj/base/suggest.hpp"
-#include "hdconj/units.hpp"
+#include "scene/column_units.hpp"
 
 namespace hdconj::inspect {
 namespace {
-
-using file::ColumnUnit;
-
-constexpr double inch = 25.4;
-constexpr std::array lengths = {ColumnUnit{"mm", 1},         ColumnUnit{"um", um},          ColumnUnit{"\xc2\xb5m", um},
-                                ColumnUnit{"\xce\xbcm", um}, ColumnUnit{"m", 1000},         ColumnUnit{"inch", inch},
-                                ColumnUnit{"in", inch},      ColumnUnit{"mil", inch / 1000}};
 
 /// What a column may hold.
 struct Content
@@ -63,13 +57,13 @@ bool enter(Header const& header, std::string_view text, std::size_t at, PointCol
     column = {at, 1, std::string(text)};
     if (!heading.unit)
         return true;
-    auto const factor =
-        found->is_length ? file::factor_of(lengths, file::lower_case(*heading.unit, " ")) : std::nullopt;
+    constexpr auto length = scene::ColumnQuantity::length;
+    auto const factor = found->is_length ? scene::factor_of_unit(*heading.unit, length) : std::nullopt;
     if (factor)
         column.factor = *factor;
     else
         header.fault(place, text, found->is_length ? "the unit is not known" : "has no unit",
-                     found->is_length ? fmt::format("write {} [mm], [um], [m] or [inch]", found->name)
+                     found->is_length ? fmt::format("write {} {}", found->name, scene::known_units(length))
                                       : fmt::format("write {}", found->name));
     return true;
 }

@@ -2,8 +2,10 @@
 #include "column_units.hpp"
 
 #include <array>
+#include <cstdlib>
 #include <span>
 
+#include "base/text.hpp"
 #include "file/csv.hpp"
 #include "hdconj/units.hpp"
 
@@ -28,7 +30,16 @@ std::optional<double> factor_of_unit(std::string_view unit, ColumnQuantity quant
 {
     auto const units =
         quantity == ColumnQuantity::length ? std::span<ColumnUnit const>(lengths) : std::span<ColumnUnit const>(angles);
-    return file::factor_of(units, file::lower_case(unit));
+    std::string const plain = file::lower_case(unit, " ");
+    if (plain == "nm" && unit.find('N') != std::string_view::npos)
+        return std::nullopt;  // of a torque
+    return file::factor_of(units, plain);
+}
+
+double in_other_unit(double value, double factor)
+{
+    constexpr int digits = 12;
+    return factor == 1 ? value : std::strtod(short_number(value * factor, digits).c_str(), nullptr);
 }
 
 bool is_unit(std::string_view text)
@@ -58,8 +69,14 @@ std::optional<std::string_view> unit_in(std::string_view heading)
 
 char const* known_units(ColumnQuantity quantity)
 {
-    return quantity == ColumnQuantity::length ? "write a length in [mm], [um], [nm], [cm], [m], [inch] or [mil]"
-                                              : "write an angle in [deg], [arcmin], [arcsec], [rad] or [mrad]";
+    return quantity == ColumnQuantity::length ? "[mm], [um], [nm], [cm], [m], [inch] or [mil]"
+                                              : "[deg], [arcmin], [arcsec], [rad] or [mrad]";
+}
+
+std::string write_known_unit(ColumnQuantity quantity)
+{
+    return std::string(quantity == ColumnQuantity::length ? "write a length in " : "write an angle in ") +
+           known_units(quantity);
 }
 
 }  // namespace hdconj::scene

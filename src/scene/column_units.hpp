@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Units in the headings of columns of lengths and angles; private to src/scene.
+// Units of lengths and angles, and in the headings of their columns.
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "hdconj/scene/number_pairs.hpp"
@@ -12,11 +13,16 @@ namespace hdconj::scene {
 /// What a number in @p unit is multiplied by to be in mm or degrees; nothing where the unit is not known.
 [[nodiscard]] std::optional<double> factor_of_unit(std::string_view unit, ColumnQuantity quantity);
 
+/// @p value times @p factor as it would be typed, without the digits of rounding.
+[[nodiscard]] double in_other_unit(double value, double factor);
+
 /// Whether @p text is a unit of lengths or angles.
 [[nodiscard]] bool is_unit(std::string_view text);
 
-/// "write a length in [mm], ..."
+/// "[mm], [um] ... or [mil]"
 [[nodiscard]] char const* known_units(ColumnQuantity quantity);
+/// "write a length in [mm], ..."
+[[nodiscard]] std::string write_known_unit(ColumnQuantity quantity);
 
 /// @p text without blanks and quotes at its ends.
 [[nodiscard]] std::string_view without_blanks(std::string_view text);

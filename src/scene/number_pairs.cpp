@@ -67,7 +67,7 @@ ColumnUnits column_units(std::string_view header, std::array<ColumnQuantity, 2> 
         if (!factor) {
             found.reason =
                 "column " + std::to_string(k + 1) + ", " + std::string(headings[k]) + ": the unit is not known";
-            found.remedy = known_units(columns[k]);
+            found.remedy = write_known_unit(columns[k]);
             return found;
         }
         found.factor[k] = *factor;

@@ -68,7 +68,7 @@ class RowColumns
             auto const factor = factor_of_unit(*unit, each.quantity);
             if (!factor)
                 return FileRefusal{"column " + printable(std::string(*found)) + ": the unit is not known",
-                                   known_units(each.quantity)};
+                                   write_known_unit(each.quantity)};
             at_.push_back(static_cast<std::size_t>(found - headings.begin()));
             factor_.push_back(*factor);
         }

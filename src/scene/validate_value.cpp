@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "base/text.hpp"
+#include "column_units.hpp"
+#include "file/csv.hpp"
 #include "hdconj/base/suggest.hpp"
 #include "hdconj/scene/schema.hpp"
 
@@ -117,14 +119,51 @@ Verdict validate_number(ParameterSpec const& spec, RawValue const& value, std::s
     return verdict ? verdict : validate_bounds(spec, value.number, remedy);
 }
 
+/// The unit that the meaning of a key names which is neither a length nor an angle; may be empty.
+std::string_view unit_of_number(ParameterSpec const& spec)
+{
+    constexpr std::array<std::string_view, 5> units{"N m/rad", "N m", "MPa", "mm^2/s", "N/mm^2"};
+    for (std::string_view const unit : units)
+        if (spec.meaning.find("in " + std::string(unit)) != std::string_view::npos)
+            return unit;
+    return "";
+}
+
+/// What a number with @p unit behind it is multiplied by to be in the unit of @p spec; nothing where that is not known.
+std::optional<double> factor_to(ParameterSpec const& spec, std::string const& unit)
+{
+    if (unit.empty())
+        return 1;
+    if (is_length(spec.quantity))
+        return factor_of_unit(unit, ColumnQuantity::length);
+    if (spec.quantity == Quantity::angle_deg)
+        return factor_of_unit(unit, ColumnQuantity::angle);
+    bool const is_own = file::lower_case(unit, " .") == file::lower_case(unit_of_number(spec), " ");
+    return is_own ? std::optional(1.0) : std::nullopt;
+}
+
+/// "lengths are in mm"
+std::string unit_rule(ParameterSpec const& spec)
+{
+    if (is_length(spec.quantity))
+        return "lengths are in mm";
+    if (spec.quantity == Quantity::angle_deg)
+        return "angles are in degrees";
+    std::string_view const unit = unit_of_number(spec);
+    return unit.empty() ? "it has no unit" : "it is in " + std::string(unit);
+}
+
 Refusal text_for_number(ParameterSpec const& spec, std::string const& text, std::string const& otherwise)
 {
     std::string const reason = "text where " + quantity_name(spec) + " belongs";
     auto const found = leading_number(text);
     if (!found)
         return {reason, otherwise};
+    auto const factor = factor_to(spec, found->rest);
+    if (!factor)
+        return {reason, otherwise + ", without quotes or unit: " + unit_rule(spec)};
     RawValue meant;
-    meant.number = found->value;
+    meant.number = in_other_unit(found->value, *factor);
     meant.kind = meant.number == std::floor(meant.number) ? Kind::integer : Kind::number;
     if (auto const beyond = validate_number(spec, meant, otherwise))
         return {reason + ", and " + beyond->reason, beyond->remedy};
@@ -132,8 +171,7 @@ Refusal text_for_number(ParameterSpec const& spec, std::string const& text, std:
         return {"a decimal comma", "write " + number_text(found->value) + ", with a decimal point"};
     if (found->rest.empty())
         return {reason, "write " + number_text(found->value) + ", a number without quotes"};
-    std::string const unit = is_length(spec.quantity) ? "lengths are in mm" : "numbers have no unit";
-    return {reason, "write " + number_text(found->value) + ", a number without quotes or unit: " + unit};
+    return {reason, "write " + number_text(meant.number) + ", a number without quotes or unit: " + unit_rule(spec)};
 }
 
 Verdict validate_word(ParameterSpec const& spec, std::string const& text, std::string const& remedy)

@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "file/csv.hpp"
+#include "scene/column_units.hpp"
 #include "scene_document.hpp"
 #include "scene_text.hpp"
 
@@ -20,6 +21,18 @@ bool is_word_of_letters(std::string_view text)
     });
 }
 
+/// The remedy for a number with its unit behind it; empty where that is none. Lengths and angles are told apart by the
+/// name of their key.
+std::string remedy_for_unit(std::string_view key, NumberInText const& number)
+{
+    auto const quantity = key.ends_with("_deg") ? scene::ColumnQuantity::angle : scene::ColumnQuantity::length;
+    auto const factor = scene::factor_of_unit(number.rest, quantity);
+    if (!factor && !is_word_of_letters(number.rest))
+        return "";
+    return (factor ? "write " + number_text(scene::in_other_unit(number.value, *factor)) : "write a number") +
+           " without a unit: lengths are in mm, angles in degrees";
+}
+
 /// The remedy for the value of a line "key = value"; empty when the value looks right.
 std::string remedy_for_value(std::string_view key, std::string_view value)
 {
@@ -31,8 +44,8 @@ std::string remedy_for_value(std::string_view key, std::string_view value)
     bool const has_comma = number && value.find(',') != std::string_view::npos;
     if (has_comma && number->rest.empty())
         return "write " + number_text(number->value) + ", with a decimal point";
-    if (number && is_word_of_letters(number->rest))
-        return "write " + number_text(number->value) + " without a unit: lengths are in mm, angles in degrees";
+    if (number && !number->rest.empty())
+        return remedy_for_unit(key, *number);
     return "";
 }
 

@@ -50,6 +50,20 @@ TEST_CASE("a file of points has its columns by name, in any order and with units
     CHECK_FALSE(plain.measured.points.front().right.has_value());
 }
 
+TEST_CASE("the units that are said to be known are read", "[inspect]")
+{
+    std::string const said = read_points("x [kg],y\n1,2\n").faults.front().remedy;
+    std::size_t units = 0;
+    for (std::size_t at = said.find('['); at != std::string::npos; at = said.find('[', at + 1)) {
+        ++units;
+        std::string const heading = "x " + said.substr(at, said.find(']', at) + 1 - at);
+        INFO(heading);
+        CHECK(read_points(heading + ",y\n1,2\n").faults.empty());
+    }
+    CHECK(units > 3);
+    CHECK(read_points("x [cm],y\n1,2\n").measured.points.front().where.x() == 10);
+}
+
 TEST_CASE("a bad file of points is refused with place, reason and remedy", "[inspect]")
 {
     std::vector<BadPoints> const table = {{"", "no header and no points", "names its columns"},
