@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "base/text.hpp"
@@ -26,6 +27,7 @@ struct Attempt
 {
     MeshTrial trial;
     bool too_small = false;  ///< a larger tip circle may work
+    double bending = 0;      ///< stress of the ring by bending [MPa]
 };
 
 /// The deformation ratio that is tried as number @p i.
@@ -82,7 +84,7 @@ class MeshSearch
     }
 
     /// The least tip circle that works with the deformation ratio @p ratio.
-    [[nodiscard]] MeshTrial operator()(double ratio) const
+    [[nodiscard]] Attempt operator()(double ratio) const
     {
         double const m = sheet_["m"], w0 = rounded(ratio * m, digits_of_radii);
         Drive drive;
@@ -92,7 +94,7 @@ class MeshSearch
         double low = std::max(usual, least_tip_);
         Attempt best = attempt(ratio, low);
         if (!best.too_small)
-            return best.trial;
+            return best;
         // where a third of the tooth is left there is no mesh to speak of
         double high = std::max(low, usual + 2 * sheet_["h_a"] / 3);
         best = attempt(ratio, high);
@@ -104,7 +106,7 @@ class MeshSearch
             if (!between.too_small)
                 best = between;
         }
-        return best.trial;
+        return best;
     }
 
   private:
@@ -146,10 +148,10 @@ class MeshSearch
             if (trial.refusal.empty())
                 trial.refusal = note.cause;
         }
-        double const stress = judgement::bending_stress(solution.scene, solution.geometry);
-        trial.wall_stress = stress > allowed_stress(wishes_);
+        made.bending = judgement::bending_stress(solution.scene, solution.geometry);
+        trial.wall_stress = made.bending > allowed_stress(wishes_);
         if (trial.wall_stress)
-            trial.refusal = "bending the ring stresses it by " + short_number(stress, 3) + " MPa, and " +
+            trial.refusal = "bending the ring stresses it by " + short_number(made.bending, 3) + " MPa, and " +
                             short_number(allowed_stress(wishes_), 3) + " MPa are allowed";
         if (trial.land < wishes_.land) {
             made.too_small = true;
@@ -228,7 +230,7 @@ MeshChoice search_mesh(Sheet const& sheet, DesignWishes const& wishes, double le
     MeshChoice choice;
     choice.trials.resize(tried_ratios);
     MeshSearch const search(sheet, wishes, least_tip);
-    parallel_for(choice.trials.size(), 0, 1, [&](std::size_t i) { choice.trials[i] = search(ratio_of(i)); });
+    parallel_for(choice.trials.size(), 0, 1, [&](std::size_t i) { choice.trials[i] = search(ratio_of(i)).trial; });
     choice.best = best_of(choice.trials);
     if (choice.best) {
         MeshTrial const& best = choice.trials[*choice.best];
@@ -248,13 +250,26 @@ MeshAnswer any_mesh(Sheet const& sheet, DesignWishes const& wishes)
     parallel_for(usual_first.size(), 0, 1, [&](std::size_t i) {
         if (found)
             return;
-        MeshTrial const trial = search(usual_first[i]);
+        MeshTrial const trial = search(usual_first[i]).trial;
         if (trial.refusal.empty())
             found = true;
         if (trial.wall_stress)
             wall_stress = true;
     });
     return {found, !found && wall_stress};
+}
+
+std::optional<double> least_bending(Sheet const& sheet, DesignWishes wishes)
+{
+    wishes.fatigue = std::numeric_limits<double>::infinity();
+    std::array<Attempt, tried_ratios> attempts;
+    MeshSearch const search(sheet, wishes, 0);
+    parallel_for(attempts.size(), 0, 1, [&](std::size_t i) { attempts[i] = search(ratio_of(i)); });
+    std::optional<double> least;
+    for (Attempt const& each : attempts)
+        if (each.trial.refusal.empty() && (!least || each.bending < *least))
+            least = each.bending;
+    return least;
 }
 
 }  // namespace hdconj::design

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "sheet.hpp"
 
@@ -31,6 +32,10 @@ struct MeshAnswer
 
 /// Whether search_mesh() finds one, without looking for the best: the usual deformations first, until one works.
 [[nodiscard]] MeshAnswer any_mesh(Sheet const& sheet, DesignWishes const& wishes);
+
+/// The least bending stress of the ring with which there is a mesh, where any stress is allowed; nothing where there is
+/// none [MPa].
+[[nodiscard]] std::optional<double> least_bending(Sheet const& sheet, DesignWishes wishes);
 
 /// Why the trial of @p failed that is nearest to the usual deformation is refused.
 [[nodiscard]] std::string usual_refusal(MeshChoice const& failed);

@@ -6,6 +6,7 @@
 
 #include "base/text.hpp"
 #include "hdconj/units.hpp"
+#include "sheet.hpp"
 #include "wishes.hpp"
 
 namespace hdconj::design {
@@ -16,13 +17,12 @@ bool has_mesh(DesignWishes const& wishes)
     return check_design(wishes).empty() && has_mesh_with_wall(wishes);
 }
 
-/// The value nearest to @p asked with which there is a mesh, between it and @p easiest, within a hundredth of itself or
-/// in its last digit; nothing where not even that does.
+/// The value nearest to @p asked with which there is a mesh, between it and @p easiest, to three digits; nothing where
+/// not even that one does.
 template <class Enter>
 std::optional<double> nearest_value(DesignWishes wishes, double asked, double easiest, Enter enter)
 {
     constexpr int most_halvings = 16;
-    constexpr double enough = 0.01;
     auto const works = [&](double value) {
         enter(wishes, value);
         return has_mesh(wishes);
@@ -30,7 +30,7 @@ std::optional<double> nearest_value(DesignWishes wishes, double asked, double ea
     if (asked == easiest || !works(easiest))
         return std::nullopt;
     double refused = asked, accepted = easiest;
-    for (int i = 0; i < most_halvings && std::abs(refused - accepted) > enough * accepted; ++i) {
+    for (int i = 0; i < most_halvings; ++i) {
         double const middle = rounded((refused + accepted) / 2);
         if (middle == refused || middle == accepted)
             break;
@@ -42,6 +42,30 @@ std::optional<double> nearest_value(DesignWishes wishes, double asked, double ea
 Fault fault_of(char const* option, std::string asked, std::string const& reason, std::string const& nearest)
 {
     return {option, 0, std::move(asked), reason, "the nearest that works is " + nearest};
+}
+
+/// The weakest steel of the table with the fatigue strength @p least; nothing where none has it, or where another
+/// modulus would change the stress.
+std::optional<std::string> stronger_steel(DesignWishes const& wishes, double least)
+{
+    std::optional<Material> best;
+    Material const asked = material_of(wishes);
+    for (Material const& each : flexspline_materials())
+        if (each.fatigue >= least && each.youngs_modulus == asked.youngs_modulus &&
+            each.poissons_ratio == asked.poissons_ratio && (!best || each.fatigue < best->fatigue))
+            best = each;
+    return best ? std::optional(best->name) : std::nullopt;
+}
+
+/// Adds the steel or the figure that has the fatigue strength @p least; a figure of the wishes goes before the steel's.
+void add_strength(DesignWishes const& wishes, double least, std::string const& reason, Faults& faults)
+{
+    auto const steel = wishes.fatigue ? std::nullopt : stronger_steel(wishes, least);
+    if (steel)
+        faults.push_back(fault_of("--material", printable(wishes.material), reason, *steel));
+    else if (fatigue_strengths.contains(least) && (wishes.fatigue || faults.empty()))
+        faults.push_back(
+            fault_of("--fatigue", wishes.fatigue ? short_number(*wishes.fatigue) : "", reason, short_number(least)));
 }
 
 Faults nearest_mesh(DesignWishes const& wishes, MeshChoice const& failed)
@@ -58,6 +82,9 @@ Faults nearest_mesh(DesignWishes const& wishes, MeshChoice const& failed)
     try_between("--clearance", wishes.clearance, 0.0,
                 [](DesignWishes& changed, double value) { changed.clearance = value; });
     try_between("--safety", wishes.safety, 1.0, [](DesignWishes& changed, double value) { changed.safety = value; });
+    if (std::ranges::any_of(failed.trials, &MeshTrial::wall_stress))
+        if (auto const stress = least_bending_with_wall(wishes))
+            add_strength(wishes, rounded_up(wishes.safety * *stress), reason, faults);
     DesignWishes other = wishes;
     other.family = DesignWishes().family;
     if (other.family != wishes.family && has_mesh(other))
@@ -70,19 +97,6 @@ Faults nearest_mesh(DesignWishes const& wishes, MeshChoice const& failed)
         faults.push_back({option, 0, short_number(value), reason,
                           "change it together with the others; `hdconj design --ratio 100 --diameter 50` works"});
     return faults;
-}
-
-/// The weakest steel of the table that stands the stress @p most with the safety of the wishes; nothing where none
-/// does, or where another modulus would change the stress.
-std::optional<std::string> stronger_steel(DesignWishes const& wishes, double most)
-{
-    std::optional<Material> best;
-    Material const asked = material_of(wishes);
-    for (Material const& each : flexspline_materials())
-        if (each.fatigue >= wishes.safety * most && each.youngs_modulus == asked.youngs_modulus &&
-            each.poissons_ratio == asked.poissons_ratio && (!best || each.fatigue < best->fatigue))
-            best = each;
-    return best ? std::optional(best->name) : std::nullopt;
 }
 
 Faults nearest_load(DesignWishes const& wishes, MeshedSheet const& failed, WallSearch& search)
@@ -103,8 +117,9 @@ Faults nearest_load(DesignWishes const& wishes, MeshedSheet const& failed, WallS
     double const safety = std::floor(hundredths * material_of(wishes).fatigue / most) / hundredths;
     if (most > 0 && safety >= 1 && safety < wishes.safety)
         faults.push_back(fault_of("--safety", short_number(wishes.safety), reason, short_number(safety)));
-    if (auto const steel = stronger_steel(wishes, most); most > 0 && steel)
-        faults.push_back(fault_of("--material", printable(wishes.material), reason, *steel));
+    double const least = rounded_up(wishes.safety * most);
+    if (most > 0 && (wishes.fatigue || stronger_steel(wishes, least)))
+        add_strength(wishes, least, reason, faults);
     if (faults.empty())
         faults.push_back({"--torque", 0, short_number(*wishes.torque / newton_metre), reason,
                           is_bent_too_far ? "write a larger --length-ratio or a larger --ratio, which bend the cup less"

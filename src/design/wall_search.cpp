@@ -16,7 +16,7 @@
 namespace hdconj::design {
 namespace {
 
-constexpr int digits = 3;
+constexpr int told_digits = 3;
 constexpr std::array walls_without_torque{0.014, 0.013, 0.012, 0.011, 0.01};  // over the pitch diameter
 
 /// Larger where more stress, or no result, makes the wall a worse one.
@@ -58,6 +58,14 @@ MeshedSheet mesh_with_wall(DesignWishes const& wishes)
     return made;
 }
 
+std::optional<double> least_bending_with_wall(DesignWishes const& wishes)
+{
+    std::optional<double> least;
+    for (auto wall = walls_without_torque.rbegin(); wall != walls_without_torque.rend() && !least; ++wall)
+        least = least_bending(sheet_of(wishes, *wall), wishes);
+    return least;
+}
+
 bool has_mesh_with_wall(DesignWishes const& wishes)
 {
     for (double const wall : walls_without_torque) {
@@ -86,8 +94,8 @@ WallTrial stress_of(MeshedSheet const& made, DesignWishes const& wishes, bool er
         trial.error = only.estimated ? only.error.largest_stress : 0;
         double const most = std::max(trial.assembled, trial.loaded);
         if (most > allowed_stress(wishes))
-            trial.refusal = short_number(most, digits) + " MPa, and " + short_number(allowed_stress(wishes), digits) +
-                            " MPa are allowed";
+            trial.refusal = short_number(most, told_digits) + " MPa, and " +
+                            short_number(allowed_stress(wishes), told_digits) + " MPa are allowed";
     } catch (NumericalError const& error) {
         if (!error.is_infeasible())
             throw;
@@ -181,7 +189,7 @@ MeshedSheet WallSearch::under_torque(std::optional<double> torque, bool errors)
     auto const try_walls = [&](std::initializer_list<double> walls) {
         for (double const wall : walls) {
             if (talk_)
-                talk_("stress with a wall of " + short_number(wall * best.sheet["d_r"], digits) + " mm");
+                talk_("stress with a wall of " + short_number(wall * best.sheet["d_r"], told_digits) + " mm");
             MeshedSheet const made = loaded(wall, errors);
             if (!made.mesh.best)
                 continue;
@@ -220,7 +228,7 @@ std::optional<double> WallSearch::most_torque()
         wishes_.torque = torque;
         if (talk_)
             talk_("stress under " + short_number(torque / newton_metre) + " N m with a wall of " +
-                  short_number(walls[number] * diameter, digits) + " mm");
+                  short_number(walls[number] * diameter, told_digits) + " mm");
         return loaded(walls[number], false).walls.back();
     });
 }

@@ -36,6 +36,10 @@ struct MeshedSheet
 /// allows. A torque is left out, and with it the cone of the cup.
 [[nodiscard]] MeshedSheet mesh_with_wall(DesignWishes const& wishes);
 
+/// The least bending stress of the ring with which mesh_with_wall() would find a mesh, that of the thinnest wall which
+/// has one; nothing where no steel helps [MPa].
+[[nodiscard]] std::optional<double> least_bending_with_wall(DesignWishes const& wishes);
+
 /// Whether mesh_with_wall() finds a mesh.
 [[nodiscard]] bool has_mesh_with_wall(DesignWishes const& wishes);
 

@@ -24,6 +24,10 @@ constexpr std::array standard_modules{0.05, 0.055, 0.06, 0.07, 0.08, 0.09,  0.1,
                                       0.8,  0.85,  0.9,  0.95, 1.0,  1.125, 1.25, 1.375, 1.5,  1.75, 2.0,  2.25, 2.5,
                                       2.75, 3.0,   3.5,  4.0,  4.5,  5.0,   5.5,  6.0,   7.0,  8.0,  9.0,  10.0};
 
+constexpr DesignRange diameters{10, 400}, modules{0.05, 10};  // [mm]
+constexpr char rule_of_diameters[] = "the rules hold for pitch diameters from 10 to 400 mm";
+constexpr char rule_of_modules[] = "standard modules run from 0.05 to 10 mm";
+
 double nearest_module(double wanted)
 {
     return *std::min_element(standard_modules.begin(), standard_modules.end(),
@@ -84,7 +88,6 @@ class WishFaults
     }
     void size()
     {
-        constexpr DesignRange diameters{10, 400}, modules{0.05, 10};  // [mm]
         if (!wishes_.diameter && !wishes_.module)
             return fault("--diameter", "", "neither a pitch diameter nor a module is given",
                          "write --diameter 50, or --module 0.25");
@@ -92,32 +95,49 @@ class WishFaults
             wishes_.diameter && positive("--diameter", *wishes_.diameter, "write a length in mm such as 50");
         bool const has_module =
             wishes_.module && positive("--module", *wishes_.module, "write a length in mm such as 0.25");
-        if (has_diameter)
-            within("--diameter", *wishes_.diameter, diameters, "the rules hold for pitch diameters from 10 to 400 mm");
-        if (has_module)
-            within("--module", *wishes_.module, modules, "standard modules run from 0.05 to 10 mm");
-        if (!has_ratio_)
-            return;
+        if (has_ratio_)
+            size_of_teeth(has_diameter, has_module);
+        else if (has_diameter)
+            within("--diameter", *wishes_.diameter, diameters, rule_of_diameters);
+        if (!has_ratio_ && has_module)
+            within("--module", *wishes_.module, modules, rule_of_modules);
+    }
+    /// Module and pitch diameter beside each other, with teeth whose number is known.
+    void size_of_teeth(bool has_diameter, bool has_module)
+    {
         int const teeth = teeth_of(wishes_);
-        if (has_module && has_diameter && !agree(*wishes_.module * teeth, *wishes_.diameter))
-            fault("--module", short_number(*wishes_.module),
-                  "d_r = m z_f would be " + short_number(*wishes_.module * teeth) + " mm with " +
-                      std::to_string(teeth) + " teeth, but --diameter is " + short_number(*wishes_.diameter),
-                  "the nearest that works is --module " + short_number(*wishes_.diameter / teeth) + ", or --diameter " +
-                      short_number(*wishes_.module * teeth) + ", or leave one of them out");
-        else if (has_module && !has_diameter && !diameters.contains(*wishes_.module * teeth))
-            fault("--module", number_text(*wishes_.module),
-                  "d_r = m z_f would be " + number_text(*wishes_.module * teeth) +
-                      " mm, and the rules hold from 10 to 400 mm",
-                  "the nearest that works is " + short_number(*wishes_.module * teeth < diameters.low
-                                                                  ? rounded_up(diameters.low / teeth, 6)
-                                                                  : rounded_down(diameters.high / teeth, 6)));
-        else if (has_diameter && !has_module && diameters.contains(*wishes_.diameter) &&
-                 !modules.contains(*wishes_.diameter / teeth))
+        constexpr int digits = 6, exact = 9;  // digits that agree() tells apart
+        DesignRange const usable{std::max(modules.low, diameters.low / teeth),
+                                 std::min(modules.high, diameters.high / teeth)};
+        std::string const works = "the nearest that works is ";
+        double const m = has_module ? *wishes_.module : has_diameter ? *wishes_.diameter / teeth : usable.low;
+        double const nearest = m < usable.low ? rounded_up(usable.low, digits) : rounded_down(usable.high, digits);
+        bool const fits = usable.contains(m) || (has_diameter && (agree(m, usable.low) || agree(m, usable.high)));
+        if (!has_module && !fits)
             fault("--diameter", short_number(*wishes_.diameter),
-                  "the module d_r/z_f would be " + short_number(*wishes_.diameter / teeth) +
-                      " mm, and standard ones run from 0.05 mm on",
-                  "the nearest that works is " + short_number(modules.low * teeth));
+                  diameters.contains(*wishes_.diameter)
+                      ? "the module d_r/z_f would be " + short_number(m) + " mm, and " + rule_of_modules
+                      : rule_of_diameters,
+                  works + short_number(std::clamp(m, usable.low, usable.high) * teeth));
+        double const asked = has_diameter ? *wishes_.diameter : m * teeth;
+        bool const agrees = agree(m * teeth, asked);
+        if (!has_module || (agrees && fits))
+            return;
+        std::string const made =
+            "d_r = m z_f would be " + short_number(m * teeth) + " mm with " + std::to_string(teeth) + " teeth, ";
+        std::string const reason = !modules.contains(m) ? rule_of_modules
+                                   : !fits              ? made + "and " + rule_of_diameters
+                                                        : made + "but --diameter is " + short_number(asked);
+        std::string remedy = short_number(nearest);
+        if (has_diameter && !agrees && usable.contains(asked / teeth))
+            remedy = "--module " + short_number(asked / teeth, exact) +
+                     (fits ? ", or --diameter " + short_number(m * teeth, exact) + ", or leave one of them out"
+                           : ", or leave it out");
+        else if (has_diameter && fits)
+            remedy = "--diameter " + short_number(m * teeth, exact) + ", or leave it out";
+        else if (has_diameter)
+            remedy = "--module " + remedy + " with --diameter " + short_number(nearest * teeth, exact);
+        fault("--module", short_number(m), reason, works + remedy);
     }
     void words()
     {
@@ -151,7 +171,7 @@ class WishFaults
     void material(std::vector<std::string_view> const& known)
     {
         if (wishes_.fatigue && positive("--fatigue", *wishes_.fatigue, "write a stress in MPa such as 550"))
-            within("--fatigue", *wishes_.fatigue, {10, 5000},
+            within("--fatigue", *wishes_.fatigue, fatigue_strengths,
                    "no fatigue strength of a metal in MPa: a good steel has 550");
         if (wishes_.youngs_modulus && positive("--youngs-modulus", *wishes_.youngs_modulus, "write 206000"))
             within("--youngs-modulus", *wishes_.youngs_modulus, {1000, scene::bounds::largest_modulus},

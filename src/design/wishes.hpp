@@ -34,6 +34,8 @@ inline constexpr int waves = 2;
 
 /// Lengths of a cup over its pitch diameter.
 inline constexpr DesignRange length_ratios{0.2, 1};
+/// Fatigue strengths of metals [MPa].
+inline constexpr DesignRange fatigue_strengths{10, 5000};
 /// Ratios of one stage.
 inline constexpr DesignRange ratios{30, 320};
 

@@ -37,7 +37,7 @@ std::vector<BadCommand> const& design_commands()
         {"--ratio 100 --module 0", "--module = 0", "not a number above 0", "such as 0.25"},
         {"--ratio 100 --module x", "--module", "'x' is no finite number", "such as 0.25"},
         {"--ratio 100 --module 0.01", "--module = 0.01", "from 0.05 to 10 mm", "works is 0.05"},
-        {"--ratio 100 --module 20", "--module = 20", "from 0.05 to 10 mm", "works is 10"},
+        {"--ratio 100 --module 20", "--module = 20", "from 0.05 to 10 mm", "works is 2"},
         {"--ratio 100 --module 4", "--module = 4", "would be 800 mm", "works is 2"},
         {"--ratio 100 --diameter 50 --module 0.3", "--module = 0.3", "would be 60 mm with 200 teeth",
          "--module 0.25, or --diameter 60"},

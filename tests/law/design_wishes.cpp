@@ -218,4 +218,27 @@ TEST_CASE("with a torque a weaker steel has less safety at the same stress, and 
     CHECK_NOTHROW(design_drive(wishes));
 }
 
+TEST_CASE("a steel that is too weak is named with the least strength that works", "[design]")
+{
+    DesignWishes wishes;
+    wishes.diameter = 50;
+    wishes.safety = 1;  // no smaller one helps
+    wishes.fatigue = 10;
+    std::string remedy;
+    try {
+        (void)design_drive(wishes);
+    } catch (InputError const& error) {
+        for (Fault const& fault : error.faults())
+            if (fault.path == "--fatigue")
+                remedy = fault.remedy;
+    }
+    INFO(remedy);
+    REQUIRE_FALSE(remedy.empty());
+    double const least = std::stod(remedy.substr(remedy.rfind(' ')));
+    wishes.fatigue = least;
+    CHECK_NOTHROW(design_drive(wishes));
+    wishes.fatigue = 0.99 * least;
+    CHECK_THROWS_AS(design_drive(wishes), InputError);
+}
+
 }  // namespace hdconj::test::design_wishes_cases
