@@ -85,6 +85,14 @@ class ToothSearch
         return change_two() ? changed_from(given) : scene::Advice{};
     }
 
+    /// A value of one key with which the key @p path is no longer refused, whatever else is.
+    [[nodiscard]] scene::Advice first_step(std::string const& path)
+    {
+        scene::FamilyChoice const given = tooth_;
+        only_ = path;
+        return change_one(1) ? changed_from(given) : scene::Advice{};
+    }
+
   private:
     static constexpr int most_steps = 49;  // of a fiftieth: down to almost nothing, or up to the double
 
@@ -131,6 +139,9 @@ class ToothSearch
     {
         Faults faults;
         profile::Profile const tooth = build_tooth(scene_, outside_, faults);
+        auto const is_it = [&](Fault const& fault) { return fault.path == only_; };
+        if (!only_.empty())
+            return std::ranges::none_of(faults, is_it) ? std::optional(0.0) : std::nullopt;
         if (!faults.empty() || tooth.pieces.empty() ||
             widest_place(scene_, tooth, pair_geometry(scene_, tooth, amplitude_), outside_).excess > 0)
             return std::nullopt;
@@ -205,6 +216,7 @@ class ToothSearch
     bool outside_, wants_land_;
     scene::FamilyChoice& tooth_;  // of scene_
     double amplitude_;
+    std::string only_;  ///< path of the only fault that counts; empty: every one does
     std::vector<ToothKey> keys_;
 };
 
@@ -217,12 +229,16 @@ void advise_tooth(Scene const& scene, bool outside, Fault& fault)
     ToothSearch search(scene, outside, has_key ? std::string_view(fault.path).substr(path.size() + 1) : "");
     if (!search.has_keys())
         return;
-    scene::Advice const advice = search(fault.set);
+    scene::Advice advice = search(fault.set);
+    if (!advice.set.empty()) {
+        fault.remedy += "; " + advice.words + (advice.set.size() > 1 ? " make" : " makes");
+        fault.remedy += " a tooth that fits its pitch";
+    } else {
+        fault.remedy += "; no change of one or two keys makes a tooth that fits its pitch";
+        advice = has_key ? search.first_step(fault.path) : scene::Advice{};
+        fault.remedy += advice.set.empty() ? "" : ", and " + advice.words + " is a first step";
+    }
     fault.set = advice.set;
-    fault.remedy +=
-        advice.set.empty()
-            ? "; no change of one or two keys within half and double makes a tooth that fits its pitch"
-            : "; " + advice.words + (advice.set.size() > 1 ? " make" : " makes") + " a tooth that fits its pitch";
 }
 
 }  // namespace hdconj::drive
