@@ -78,7 +78,7 @@ void validate_curvature(Scene const& scene, profile::Profile const& tooth, waveg
     scene::Advice const usual = scene::usual_pair(scene, shape.amplitude());
     faults.push_back({choice.path + ".radial_deformation", choice.line_of("radial_deformation"),
                       choice.text_of("radial_deformation"), reason,
-                      (largest > 0 ? "write at most " + short_number(largest) : std::string("write a smaller one")) +
+                      (largest > 0 ? "write at most " + at_most_text(largest) : std::string("write a smaller one")) +
                           (usual.words.empty() ? "" : "; usual is " + usual.words)});
     faults.back().set = usual.set;
 }

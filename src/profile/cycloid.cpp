@@ -99,7 +99,7 @@ Profile cycloid_tooth(scene::FamilyChoice const& c, ToothPlace const& place, Fau
     std::string_view const inner_key = place.internal ? "addendum_rolling_radius" : "dedendum_rolling_radius";
     if (!((place.internal ? above : below) <= largest))
         refuse(inner_key, "is more than half the pitch radius: the flank would be undercut",
-               "write at most " + short_number(largest) + ", which makes it radial");
+               "write at most " + at_most_text(largest) + ", which makes it radial");
     if (refuse.any())
         return {};
 
