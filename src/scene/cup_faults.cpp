@@ -32,7 +32,7 @@ void check_cup(SceneReading const& reading, Faults& faults)
 }
 
 /// What the elastic cup cannot do without, and what is not for it. What the dimensions say to each other:
-/// pipeline/check_scene.cpp.
+/// drive/drive.cpp.
 void check_elastic(SceneReading const& reading, Faults& faults)
 {
     auto const& scene = reading.scene;

@@ -15,12 +15,6 @@
 namespace hdconj::scene {
 namespace {
 
-/// What is wrong with a file, and what to write.
-struct FileRefusal
-{
-    std::string reason, remedy;
-};
-
 /// A column of the list.
 struct WantedColumn
 {
@@ -52,7 +46,7 @@ class RowColumns
     }
 
     /// Finds the columns in @p header. Those that the list does not have are passed over.
-    [[nodiscard]] std::optional<FileRefusal> find(std::string_view header)
+    [[nodiscard]] std::optional<Refusal> find(std::string_view header)
     {
         separator_ = file::separator_of(header);
         auto const headings = file::fields_of(header, separator_);
@@ -61,14 +55,14 @@ class RowColumns
             auto const is_it = [&](std::string_view heading) { return name_of(heading) == each.name; };
             auto const found = std::ranges::find_if(headings, is_it);
             if (found == headings.end())
-                return FileRefusal{"names no column " + each.name, write};
+                return Refusal{"names no column " + each.name, write};
             auto const unit = unit_in(*found);
             if (!unit)
-                return FileRefusal{"column " + each.name + " has no unit", write};
+                return Refusal{"column " + each.name + " has no unit", write};
             auto const factor = factor_of_unit(*unit, each.quantity);
             if (!factor)
-                return FileRefusal{"column " + printable(std::string(*found)) + ": the unit is not known",
-                                   write_known_unit(each.quantity)};
+                return Refusal{"column " + printable(std::string(*found)) + ": the unit is not known",
+                               write_known_unit(each.quantity)};
             at_.push_back(static_cast<std::size_t>(found - headings.begin()));
             factor_.push_back(*factor);
         }
@@ -79,30 +73,30 @@ class RowColumns
     }
 
     /// Takes the numbers of @p line into @p rows.
-    [[nodiscard]] std::optional<FileRefusal> take(std::string_view line, std::map<int, std::vector<double>>& rows) const
+    [[nodiscard]] std::optional<Refusal> take(std::string_view line, std::map<int, std::vector<double>>& rows) const
     {
         auto const fields = file::fields_of(line, separator_);
         std::vector<double> row;
         for (std::size_t k = 0; k < wanted_.size(); ++k) {
             auto const value = at_[k] < fields.size() ? file::number_in(fields[at_[k]]) : std::nullopt;
             if (!value)
-                return FileRefusal{wanted_[k].name + " is no finite number", "write a number with a decimal point"};
+                return Refusal{wanted_[k].name + " is no finite number", "write a number with a decimal point"};
             row.push_back(*value * factor_[k]);
             if (wanted_[k].quantity == ColumnQuantity::length && std::abs(row.back()) > bounds::largest_length)
-                return FileRefusal{wanted_[k].name + " is larger than any drive", "check number and unit"};
+                return Refusal{wanted_[k].name + " is larger than any drive", "check number and unit"};
         }
         auto number = static_cast<int>(rows.size()) + 1;
         if (tooth_) {
             auto const tooth = *tooth_ < fields.size() ? file::number_in(fields[*tooth_]) : std::nullopt;
             if (!tooth || *tooth != std::floor(*tooth) || *tooth < 1 || *tooth > bounds::most_teeth)
-                return FileRefusal{"tooth is no whole number from 1 on", "count the teeth clockwise from 1"};
+                return Refusal{"tooth is no whole number from 1 on", "count the teeth clockwise from 1"};
             number = static_cast<int>(*tooth);
         }
         if (rows.size() == static_cast<std::size_t>(bounds::most_rows))
-            return FileRefusal{"is one row more than the " + std::to_string(bounds::most_rows) + " that are read",
-                               "leave rows out"};
+            return Refusal{"is one row more than the " + std::to_string(bounds::most_rows) + " that are read",
+                           "leave rows out"};
         if (!rows.emplace(number, std::move(row)).second)
-            return FileRefusal{"tooth " + std::to_string(number) + " stands there twice", "write each tooth once"};
+            return Refusal{"tooth " + std::to_string(number) + " stands there twice", "write each tooth once"};
         return std::nullopt;
     }
 
@@ -125,11 +119,11 @@ class RowColumns
 };
 
 /// What became of reading the file.
-std::optional<FileRefusal> read_all(std::filesystem::path const& file, std::string const* content, RowColumns& columns,
-                                    std::map<int, std::vector<double>>& rows)
+std::optional<Refusal> read_all(std::filesystem::path const& file, std::string const* content, RowColumns& columns,
+                                std::map<int, std::vector<double>>& rows)
 {
     bool header = true;
-    std::optional<FileRefusal> refusal;
+    std::optional<Refusal> refusal;
     auto const unreadable = file::read_csv(file, content, largest_number_file, [&](std::string_view line, int number) {
         refusal = header ? columns.find(line) : columns.take(line, rows);
         header = false;
@@ -139,19 +133,19 @@ std::optional<FileRefusal> read_all(std::filesystem::path const& file, std::stri
     });
     std::string const name_it = "write the name of a CSV file, relative to the scene file";
     if (unreadable)
-        return FileRefusal{*unreadable == file::Unreadable::too_large ? file.string() + " is too large"
-                           : *unreadable == file::Unreadable::endless ? "is no file of numbers: " + file.string()
-                                                                      : "cannot be read: " + file.string(),
-                           name_it};
+        return Refusal{*unreadable == file::Unreadable::too_large ? file.string() + " is too large"
+                       : *unreadable == file::Unreadable::endless ? "is no file of numbers: " + file.string()
+                                                                  : "cannot be read: " + file.string(),
+                       name_it};
     if (refusal)
         return refusal;
     if (rows.empty())
-        return FileRefusal{file.string() + " has no rows",
-                           "write a header such as " + columns.example() + " and a row for each line of the list"};
+        return Refusal{file.string() + " has no rows",
+                       "write a header such as " + columns.example() + " and a row for each line of the list"};
     for (int expected = 1; auto const& [number, row] : rows)
         if (number != expected++)
-            return FileRefusal{file.string() + " leaves out tooth " + std::to_string(expected - 1),
-                               "write a row for each tooth"};
+            return Refusal{file.string() + " leaves out tooth " + std::to_string(expected - 1),
+                           "write a row for each tooth"};
     return std::nullopt;
 }
 
@@ -174,17 +168,10 @@ std::variant<Parameter, Faults> rows_of_file(ParameterSpec const& spec, RawEntry
     auto const content = content_of(scene, entry.value.text);
     auto refusal = read_all(scene.folder / entry.value.text, content.get(), columns, rows);
     if (!refusal && static_cast<double>(rows.size()) < spec.at_least)
-        refusal = FileRefusal{"the file has " + std::to_string(rows.size()) + " rows",
-                              "write at least " + number_text(spec.at_least)};
+        refusal = Refusal{"the file has " + std::to_string(rows.size()) + " rows",
+                          "write at least " + number_text(spec.at_least)};
     if (refusal)
-        return Faults{{path,
-                       entry.line,
-                       entry.value.written,
-                       refusal->reason,
-                       refusal->remedy,
-                       entry.origin,
-                       {},
-                       FaultKind::value}};
+        return Faults{fault_at(entry, path, *refusal)};
     NumberRows numbers;
     for (auto& [number, row] : rows)
         numbers.push_back(std::move(row));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "file/csv.hpp"
 #include "hdconj/scene/schema.hpp"
 #include "validation.hpp"
 
@@ -92,14 +93,7 @@ std::vector<std::string> row_faults(RawValue const& row, std::vector<std::string
 
 std::vector<std::string_view> columns_of(std::string_view form)
 {
-    std::vector<std::string_view> columns;
-    std::string_view rest = form.substr(1, form.size() - 2);
-    for (std::size_t comma = 0; comma != std::string_view::npos;) {
-        comma = rest.find(", ");
-        columns.push_back(rest.substr(0, comma));
-        rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 2);
-    }
-    return columns;
+    return file::fields_of(form.substr(1, form.size() - 2), ',');
 }
 
 std::variant<Parameter, Faults> validate_rows(ParameterSpec const& spec, RawEntry const& entry, std::string const& path)
@@ -110,25 +104,14 @@ std::variant<Parameter, Faults> validate_rows(ParameterSpec const& spec, RawEntr
     Faults faults;
     NumberRows numbers;
     auto const add = [&](std::string reason) {
-        faults.push_back({path,
-                          entry.line,
-                          entry.value.written,
-                          std::move(reason),
-                          write_instead(spec, ""),
-                          entry.origin,
-                          {},
-                          FaultKind::value});
+        faults.push_back(fault_at(entry, path, {std::move(reason), write_instead(spec, "")}));
     };
     auto const add_row = [&](RawValue const& row, std::size_t number, std::string const& reason) {
         std::string const name = "row " + std::to_string(number);
-        faults.push_back({path,
-                          row.line > 0 ? row.line : entry.line,
-                          printable(text_of(row)),
-                          name + reason,
-                          "write " + name + " as " + row_form(spec),
-                          entry.origin,
-                          {},
-                          FaultKind::value});
+        Fault& fault =
+            faults.emplace_back(fault_at(entry, path, {name + reason, "write " + name + " as " + row_form(spec)}));
+        fault.line = row.line > 0 ? row.line : entry.line;
+        fault.value = printable(text_of(row));
     };
     if (rows.size() > static_cast<std::size_t>(bounds::most_rows)) {
         add("has more than " + std::to_string(bounds::most_rows) + " rows: give that many points in a file");

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "base/text.hpp"
 #include "column_units.hpp"
@@ -17,12 +18,7 @@ namespace {
 
 using Kind = RawValue::Kind;
 
-/// Why a value is refused and what to write; nothing when it is right.
-struct Refusal
-{
-    std::string reason;
-    std::string remedy;
-};
+/// Nothing when a value is right.
 using Verdict = std::optional<Refusal>;
 
 bool is_numeric(Quantity quantity)
@@ -272,6 +268,18 @@ bool takes_file(ParameterSpec const& spec)
     return std::ranges::find(spec.words, row_file) != spec.words.end();
 }
 
+Fault fault_at(RawEntry const& entry, std::string path, Refusal refusal, FaultKind kind)
+{
+    return {std::move(path),
+            entry.line,
+            entry.value.written,
+            std::move(refusal.reason),
+            std::move(refusal.remedy),
+            entry.origin,
+            {},
+            kind};
+}
+
 std::variant<Parameter, Faults> validate_value(ParameterSpec const& spec, std::string_view example,
                                                RawEntry const& entry, std::string const& path, Scene& scene)
 {
@@ -279,17 +287,8 @@ std::variant<Parameter, Faults> validate_value(ParameterSpec const& spec, std::s
         return validate_rows(spec, entry, path);
     if (spec.quantity == Quantity::rows && entry.value.kind == Kind::text && takes_file(spec))
         return rows_of_file(spec, entry, path, scene);
-    if (refusal_of(spec, entry.value, "")) {  // the remedy takes longer than the check
-        auto const refusal = refusal_of(spec, entry.value, write_instead(spec, example));
-        return Faults{{path,
-                       entry.line,
-                       entry.value.written,
-                       refusal->reason,
-                       refusal->remedy,
-                       entry.origin,
-                       {},
-                       FaultKind::value}};
-    }
+    if (refusal_of(spec, entry.value, ""))  // the remedy takes longer than the check
+        return Faults{fault_at(entry, path, *refusal_of(spec, entry.value, write_instead(spec, example)))};
     if (entry.value.kind == Kind::text)
         return Parameter{entry.value.text, entry.line,
                          spec.quantity == Quantity::file ? content_of(scene, entry.value.text) : nullptr};

@@ -48,6 +48,17 @@ struct Place
     RawValue const* table;  ///< the table itself
 };
 
+/// Why something is refused, and what to write.
+struct Refusal
+{
+    std::string reason;
+    std::string remedy;
+};
+
+/// A fault of the value or the name of @p entry, whose key path the message gives as @p path.
+[[nodiscard]] Fault fault_at(RawEntry const& entry, std::string path, Refusal refusal,
+                             FaultKind kind = FaultKind::value);
+
 /// An entry of the table at @p place: sub-table, key, or neither.
 void validate_member(Validation& validation, Place const& place, RawEntry const& entry);
 
