@@ -18,7 +18,6 @@ namespace hdconj::inspect {
 namespace {
 
 constexpr int code_elevation = 38;  // of a LWPOLYLINE
-constexpr double farthest = 1e5;    // [mm] as in a CSV file
 
 /// mm of a unit of $INSUNITS; nothing for one that no drawing of a gear has.
 std::optional<double> unit_of_drawing(double number)

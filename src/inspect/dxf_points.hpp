@@ -10,6 +10,9 @@
 
 namespace hdconj::inspect {
 
+/// A coordinate beyond 100 m is none of a gear [mm].
+inline constexpr double farthest = 1e5;
+
 /// Adds the points of @p file to @p result: of its entities POINT, POLYLINE and LWPOLYLINE. Everything else, bulges
 /// too, is passed over. Lengths are in the unit that $INSUNITS names, in mm where it names none.
 /// @returns nothing where the file was read

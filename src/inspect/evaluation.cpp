@@ -11,12 +11,10 @@
 
 #include "base/text.hpp"
 #include "common_errors.hpp"
-#include "mean_flank.hpp"
 #include "numeric/least_squares.hpp"
 #include "plane_points.hpp"
 #include "registration.hpp"
 #include "ring_figures.hpp"
-#include "zone_error.hpp"
 
 namespace hdconj::inspect {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mean_flank.hpp"
+// The mean flank of the measured teeth, as points of a tooth.
 
 #include <gsl/gsl_cdf.h>
 
@@ -10,6 +10,7 @@
 #include "hdconj/base/rigid_motion.hpp"
 #include "hdconj/numeric/bracketed_root.hpp"
 #include "numeric/least_squares.hpp"
+#include "ring_figures.hpp"
 
 namespace hdconj::inspect {
 namespace {

@@ -2,15 +2,79 @@
 #include "nominal_part.hpp"
 
 #include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
+#include <variant>
 
 #include "hdconj/error.hpp"
+#include "hdconj/numeric/bracketed_root.hpp"
 #include "profile/measured_points.hpp"
 
 namespace hdconj::inspect {
 namespace {
+
+using profile::ArcPiece;
+using profile::CurvePiece;
+using profile::LinePiece;
+using profile::PieceShape;
+
+/// Arc length of a piece from its start to the local parameter @p t.
+double length_to(PieceShape const& shape, double t)
+{
+    if (auto const* line = std::get_if<LinePiece>(&shape))
+        return t * line->length();
+    if (auto const* arc = std::get_if<ArcPiece>(&shape))
+        return t * arc->length();
+    auto const& curve = std::get<CurvePiece>(shape);
+    constexpr unsigned nodes = 30;  // the speed is the root of a polynomial of degree 16 at most
+    return boost::math::quadrature::gauss<double, nodes>::integrate([&](double s) { return curve.first(s).norm(); }, 0,
+                                                                    t);
+}
+
+/// Local parameter of the point of a piece that is next to @p p, which is a point of it or of another piece.
+double local_parameter(PieceShape const& shape, Vec2 const& p)
+{
+    double t = 0;
+    if (auto const* line = std::get_if<LinePiece>(&shape)) {
+        t = (p - line->a).dot(line->tangent()) / line->length();
+    } else if (auto const* arc = std::get_if<ArcPiece>(&shape)) {
+        Vec2 const middle = direction(0.5 * (arc->from + arc->to));
+        Vec2 const n = (arc->radius > 0 ? 1.0 : -1.0) * (p - arc->centre);
+        t = 0.5 + std::atan2(cross(middle, n), middle.dot(n)) / (arc->to - arc->from);
+    } else {
+        auto const& curve = std::get<CurvePiece>(shape);
+        constexpr int probes = 8, newton_steps = 6;
+        double least = std::numeric_limits<double>::infinity();
+        for (int i = 0; i <= probes; ++i) {
+            double const s = static_cast<double>(i) / probes;
+            double const away = (curve.point(s) - p).squaredNorm();
+            t = away < least ? s : t;
+            least = std::min(least, away);
+        }
+        for (int i = 0; i < newton_steps; ++i) {
+            Vec2 const slope = curve.first(t);
+            t = std::clamp(t + (p - curve.point(t)).dot(slope) / slope.squaredNorm(), 0.0, 1.0);
+        }
+    }
+    return std::clamp(t, 0.0, 1.0);
+}
+
+PieceShape const& shape_of(profile::Profile const& flank, std::size_t i)
+{
+    return flank.pieces[i].shape;
+}
+
+Vec2 normal_at(PieceShape const& shape, double t)
+{
+    if (auto const* line = std::get_if<LinePiece>(&shape))
+        return line->normal();
+    if (auto const* arc = std::get_if<ArcPiece>(&shape))
+        return direction(arc->from + t * (arc->to - arc->from));
+    return left_of(std::get<CurvePiece>(shape).first(t)).normalized();
+}
 
 using profile::Profile;
 using profile::ProfilePiece;
@@ -91,6 +155,74 @@ double miss_of_half(std::vector<Vec2> const& points)
 }
 
 }  // namespace
+
+NominalFlank::NominalFlank(profile::Profile flank, bool root_first, bool space)
+    : flank_(std::make_unique<profile::Profile const>(std::move(flank))),
+      distance_(*flank_),
+      first_(profile::start_of(flank_->pieces.front().shape).point),
+      last_(profile::end_of(flank_->pieces.back().shape).point),
+      root_first_(root_first),
+      space_(space)
+{
+    double length = 0;
+    for (auto const& piece : flank_->pieces) {
+        starts_.push_back(profile::start_of(piece.shape).point);
+        ends_.push_back(length += length_to(piece.shape, 1));
+    }
+}
+
+FlankFoot NominalFlank::operator()(Vec2 const& p) const
+{
+    distance::NearestPoint const nearest = distance_(p);
+    double const sign = space_ ? -1 : 1;
+    bool const at_end = nearest.point == first_ || nearest.point == last_;
+    return {!at_end, sign * nearest.distance, nearest.point, sign * nearest.normal};
+}
+
+double NominalFlank::arc_length(Vec2 const& foot) const
+{
+    double least = std::numeric_limits<double>::infinity(), at = 0;
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+        PieceShape const& shape = shape_of(*flank_, i);
+        // a point of the piece is no farther from its start than the piece is long
+        constexpr double margin = 2;
+        double const piece_length = ends_[i] - (i == 0 ? 0 : ends_[i - 1]);
+        if (std::isfinite(least) && (starts_[i] - foot).norm() > margin * piece_length)
+            continue;
+        double const t = local_parameter(shape, foot);
+        double const away = (profile::point_at(shape, t) - foot).squaredNorm();
+        if (away < least) {
+            least = away;
+            at = (i == 0 ? 0 : ends_[i - 1]) + length_to(shape, t);
+        }
+    }
+    return root_first_ ? at : length() - at;
+}
+
+profile::PieceEnd NominalFlank::at(double arc_length) const
+{
+    double const s = std::clamp(root_first_ ? arc_length : length() - arc_length, 0.0, length());
+    auto const i = static_cast<std::size_t>(
+        std::min(std::lower_bound(ends_.begin(), ends_.end(), s) - ends_.begin(), std::ptrdiff_t(ends_.size()) - 1));
+    PieceShape const& shape = shape_of(*flank_, i);
+    double const within = s - (i == 0 ? 0 : ends_[i - 1]), whole = length_to(shape, 1);
+    double t = whole > 0 ? std::clamp(within / whole, 0.0, 1.0) : 0;
+    if (std::holds_alternative<CurvePiece>(shape) && t > 0 && t < 1)
+        t = numeric::bracketed_root([&](double u) { return length_to(shape, u) - within; }, 0.0, 1.0).x;
+    return {profile::point_at(shape, t), (space_ ? -1.0 : 1.0) * normal_at(shape, t)};
+}
+
+std::vector<double> NominalFlank::joints() const
+{
+    std::vector<double> all{0};
+    all.insert(all.end(), ends_.begin(), ends_.end());
+    if (!root_first_) {
+        std::reverse(all.begin(), all.end());
+        for (double& each : all)
+            each = length() - each;
+    }
+    return all;
+}
 
 double NominalPart::pitch() const
 {
