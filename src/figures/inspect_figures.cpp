@@ -13,9 +13,10 @@ namespace {
 
 /// A figure with the half width of its interval.
 template <auto... members>
-constexpr auto uncertain(char const* name, Unit const& unit, char const* meaning, char const* label)
+constexpr auto uncertain(char const* name, Unit const& unit, char const* meaning, char const* label,
+                         std::string (*digits)(double) = decimals<3>)
 {
-    return figure<members..., &Uncertain::value>(name, unit, meaning, {label, decimals<3>, two_digits})
+    return figure<members..., &Uncertain::value>(name, unit, meaning, {label, digits, two_digits})
         .template with_error<members..., &Uncertain::error>();
 }
 
@@ -47,8 +48,7 @@ Rows<PartPlacement> placement_figures()
 {
     using T = PartPlacement;
     static constexpr std::array rows = {
-        figure<&T::turn, &Uncertain::value>("turn", degree, "of the part, clockwise", {"turn", decimals<6>, two_digits})
-            .with_error<&T::turn, &Uncertain::error>(),
+        uncertain<&T::turn>("turn", degree, "of the part, clockwise", "turn", decimals<6>),
         uncertain<&T::shift_x>("shift_x", um, "of the part's axis", "shift in x"),
         uncertain<&T::shift_y>("shift_y", um, "of the part's axis", "shift in y"),
         figure<&T::rms>("deviation_rms", um, "root mean square of the deviations", {"deviations, rms", decimals<3>}),
@@ -96,9 +96,8 @@ Rows<ToothFigures> tooth_rows()
     static constexpr std::array rows = {
         figure<&T::z>("z", mm, "height of the plane", {"plane", significant<6>}),
         figure<&T::tooth>("tooth", one, "number of the tooth, of the space on the circular spline", {"tooth", whole}),
-        figure<&T::thickness, &Uncertain::value>("thickness", mm, "of tooth or space along the reference circle",
-                                                 {"thickness", decimals<6>, two_digits})
-            .with_error<&T::thickness, &Uncertain::error>(),
+        uncertain<&T::thickness>("thickness", mm, "of tooth or space along the reference circle", "thickness",
+                                 decimals<6>),
         uncertain<&T::radial>("radial_shift", um, "outward shift of tooth or space", "radial")};
     return Rows<T>(rows);
 }
@@ -139,9 +138,8 @@ Rows<PlaneFigures> plane_rows()
     static constexpr std::array rows = {
         figure<&T::z>("z", mm, "height of the plane", {"plane", significant<6>}),
         figure<&T::teeth>("teeth", one, "with both flanks", {"teeth", whole}),
-        figure<&T::thickness, &Uncertain::value>("mean_thickness", mm, "mean of the teeth along the reference circle",
-                                                 {"thickness, mean", decimals<6>, two_digits})
-            .with_error<&T::thickness, &Uncertain::error>(),
+        uncertain<&T::thickness>("mean_thickness", mm, "mean of the teeth along the reference circle",
+                                 "thickness, mean", decimals<6>),
         uncertain<&T::runout>("runout", um, "largest less smallest radial shift of the teeth", "runout"),
         figure<&T::near_tooth>("runout_from", one, "tooth with the smallest radial shift", {"from tooth", whole}),
         figure<&T::far_tooth>("runout_to", one, "tooth with the largest radial shift", {"to tooth", whole})};

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string_view>
 
-#include "figure_units.hpp"
+#include "figure_of.hpp"
 #include "hdconj/units.hpp"
 
 namespace hdconj::figures {
