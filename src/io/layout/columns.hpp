@@ -29,16 +29,15 @@ About about_error(figures::FigureOf<Record> const& figure, std::string const& pr
     return {figure.unit.stored, "estimated error of " + prefix + figure.name, {dim}};
 }
 
-/// A name of a column, or that of its errors: what a figure says it is, behind @p prefix.
+/// A column of the values or of the errors: doubles, or integers for counts and flags; its former name is a link to it.
 template <class Record>
-using NameOf = std::string (*)(figures::FigureOf<Record> const&);
-
-/// A column of doubles, or of integers for counts and flags; its former name is a link to it.
-template <class Record, class Read>
-void write_column(Writer const& place, figures::FigureOf<Record> const& figure, std::string const& prefix,
-                  NameOf<Record> name_of, Read read, std::vector<Record> const& records, About const& about)
+void write_column(Writer const& place, char const* dim, figures::FigureOf<Record> const& figure,
+                  std::vector<Record> const& records, std::string const& prefix, bool of_errors)
 {
-    std::string const name = prefix + name_of(figure);
+    auto const name_of = [&](auto const& row) { return prefix + (of_errors ? row.column_of_error() : row.name); };
+    auto const read = of_errors ? figure.error : figure.value;
+    std::string const name = name_of(figure);
+    About const about = of_errors ? about_error(figure, prefix, dim) : About{figure.unit.stored, figure.meaning, {dim}};
     if (figure.kind == figures::Kind::number) {
         place.numbers(name, column(records, read), about);
     } else {
@@ -46,7 +45,7 @@ void write_column(Writer const& place, figures::FigureOf<Record> const& figure, 
                        about);
     }
     if (figure.former != nullptr)
-        place.link(name, prefix + name_of(figure.under_former_name()));
+        place.link(name, name_of(figure.under_former_name()));
 }
 
 /// Says where value and error of a figure stand: a column's error beside it, or else in the group `error`, if anywhere.
@@ -66,31 +65,14 @@ void write_figure(Writer const& place, figures::FigureOf<Record> const& figure, 
         {prefix + figure.name, prefix + figure.name + suffix, error, figure.unit.stored, figure.meaning, is_attribute});
 }
 
-/// A column of the values, or of the errors.
-template <class Record>
-void write_value_column(Writer const& place, char const* dim, figures::FigureOf<Record> const& figure,
-                        std::vector<Record> const& records, std::string const& prefix)
-{
-    write_column<Record>(place, figure, prefix, [](auto const& row) { return std::string(row.name); }, figure.value,
-                         records, {figure.unit.stored, figure.meaning, {dim}});
-}
-template <class Record>
-void write_error_column(Writer const& place, char const* dim, figures::FigureOf<Record> const& figure,
-                        std::vector<Record> const& records, std::string const& prefix)
-{
-    write_column<Record>(
-        place, figure, prefix, [](auto const& row) { return row.column_of_error(); }, figure.error, records,
-        about_error(figure, prefix, dim));
-}
-
 /// Columns of the errors of all figures.
 template <class Record>
 void write_error_columns(Writer const& place, char const* dim, figures::Rows<Record> const& rows,
-                         std::vector<Record> const& records, std::string const& prefix = "")
+                         std::vector<Record> const& records)
 {
     for (auto const& figure : rows)
         if (figure.is_in(figures::hdf5_error))
-            write_error_column(place, dim, figure, records, prefix);
+            write_column(place, dim, figure, records, "", true);
 }
 
 /// Columns of all figures and of their errors, unless these stand apart. @param dim  that all columns have
@@ -101,11 +83,11 @@ void write_columns(Writer const& place, char const* dim, figures::Rows<Record> c
 {
     for (auto const& figure : rows) {
         if (figure.is_in(figures::hdf5_value) && (estimated || !figure.bound)) {
-            write_value_column(place, dim, figure, records, prefix);
+            write_column(place, dim, figure, records, prefix, false);
             write_figure(place, figure, prefix, "", false, estimated);
         }
         if (estimated && figure.is_in(figures::hdf5_error) && !figure.apart)
-            write_error_column(place, dim, figure, records, prefix);
+            write_column(place, dim, figure, records, prefix, true);
     }
 }
 

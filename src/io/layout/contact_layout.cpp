@@ -42,19 +42,11 @@ void write_contact_case(Writer const& place, ContactCase const& each, bool estim
 {
     auto const& slices = each.slices;
     using figures::ClosestPlace;
+    auto const flank = [](SliceClearance const& slice) { return ClosestPlace{slice.flank, slice.flank_error}; };
+    auto const root = [](SliceClearance const& slice) { return ClosestPlace{slice.root, slice.root_error}; };
     write_columns(place, "z", figures::slice_figures(), slices);
-    write_closest(place, "z", "flank_",
-                  column(slices,
-                         [](auto const& slice) {
-                             return ClosestPlace{slice.flank, slice.flank_error};
-                         }),
-                  estimated);
-    write_closest(place, "z", "root_",
-                  column(slices,
-                         [](auto const& slice) {
-                             return ClosestPlace{slice.root, slice.root_error};
-                         }),
-                  estimated);
+    write_closest(place, "z", "flank_", column(slices, flank), estimated);
+    write_closest(place, "z", "root_", column(slices, root), estimated);
     if (!each.gaps.angle.empty())
         place.group("gaps", [&](Writer const& gaps) { write_smallest_gaps(gaps, each.gaps, slices.size()); });
     if (!each.revolution.empty()) {
@@ -68,14 +60,12 @@ void write_contact_cases(Writer const& place, std::vector<ContactCase> const& ca
 {
     if (std::any_of(cases.begin(), cases.end(), [](auto const& each) { return each.slices.empty(); }))
         throw std::logic_error("a contact case without slices");
+    auto const closest = [](ContactCase const& each) {
+        return figures::ClosestPlace{each.closest_flank(), each.clearance_error};
+    };
     layout::write_surface_names(place, cases);
     write_columns(place, "case", figures::case_figures(), cases, "", estimated);
-    write_closest(place, "case", "flank_",
-                  column(cases,
-                         [](auto const& each) {
-                             return figures::ClosestPlace{each.closest_flank(), each.clearance_error};
-                         }),
-                  estimated);
+    write_closest(place, "case", "flank_", column(cases, closest), estimated);
     place.numbers("flank_z", column(cases, [](auto const& each) { return each.closest_slice().z; }),
                   {"mm", "slice where the flanks come closest", {"case"}});
     write_columns(place, "case", figures::state_figures(), column(cases, &ContactCase::state), "", estimated);
@@ -139,21 +129,20 @@ void layout::write_surface(layout::Writer const& place, Surface const& surface)
     place.integers("part", surface.part, {"1", "0 land, 1 left flank, 2 root, 3 right flank", {"cell"}});
 }
 
-void layout::write_spline_and_surface(layout::Writer const& place, Solution const& solution)
+void layout::write_solution(Writer const& root, Solution const& solution, double side_clearance)
 {
-    write_circular_spline(place, solution.circular_spline);
-    if (has_surface(solution))
-        place.group("surface",
-                    [&](layout::Writer const& mesh) { layout::write_surface(mesh, tooth_surface(solution)); });
+    write_solution(root, solution);
+    root.group("circular_spline", [&](Writer const& place) {
+        write_circular_spline(place, solution.circular_spline);
+        if (has_surface(solution))
+            place.group("surface", [&](Writer const& mesh) { write_surface(mesh, tooth_surface(solution)); });
+        place.attribute("side_clearance_mm", side_clearance);
+    });
 }
 
 void layout::write_result(Writer const& root, ContactStudy const& study)
 {
-    write_solution(root, study.solution);
-    root.group("circular_spline", [&](Writer const& place) {
-        write_spline_and_surface(place, study.solution);
-        place.attribute("side_clearance_mm", study.side_clearance);
-    });
+    write_solution(root, study.solution, study.side_clearance);
     root.group("contact", [&](Writer const& contact) {
         write_attributes(contact, figures::contact_study_figures(), study);
         write_contact_cases(contact, study.cases, study.estimated);

@@ -2,7 +2,6 @@
 // The file of an inspection, as docs/reference/hdf5.md describes it.
 #include "columns.hpp"
 #include "figures/inspect_figures.hpp"
-#include "hdconj/version.hpp"
 #include "results.hpp"
 
 namespace hdconj::io {
@@ -23,13 +22,7 @@ void write_flank_words(Writer const& place, Records const& records, char const* 
 
 void write_root(Writer const& root, Inspection const& inspection)
 {
-    root.attribute("format", std::string("hdconj-inspection"));
-    root.attribute("format_version", inspection_version);
-    root.attribute("program_version", std::string(program_version()));
-    root.attribute("git_revision", std::string(git_revision()));
-    root.attribute("build", std::string(build_description()));
-    root.attribute("date", layout::date_text());
-    root.attribute("drive", inspection.scene.drive.name);
+    layout::write_origin(root, "hdconj-inspection", inspection_version, inspection.scene);
     layout::write_scene(root, inspection.scene);
     root.attribute("part", std::string(to_string(inspection.options.part)));
     root.attribute("points_file", inspection.file);

@@ -7,6 +7,7 @@
 
 #include "columns.hpp"
 #include "figures/load_figures.hpp"
+#include "figures/measured_figures.hpp"
 #include "results.hpp"
 
 namespace hdconj::io {
@@ -243,11 +244,7 @@ void write_pitch_errors(Writer const& place, PitchErrors const& errors)
 
 void layout::write_result(Writer const& root, LoadStudy const& study, Measurement const* measured)
 {
-    write_solution(root, study.solution);
-    root.group("circular_spline", [&](Writer const& place) {
-        write_spline_and_surface(place, study.solution);
-        place.attribute("side_clearance_mm", study.side_clearance);
-    });
+    write_solution(root, study.solution, study.side_clearance);
     root.group("load", [&](Writer const& load) {
         write_attributes(load, figures::load_study_figures(), study);
         write_load_cases(load, study.cases, study.balls);
@@ -260,6 +257,35 @@ void layout::write_result(Writer const& root, LoadStudy const& study, Measuremen
         if (measured != nullptr)
             load.group("measured", [&](Writer const& place) { layout::write_result(place, *measured); });
     });
+}
+
+void layout::write_result(Writer const& place, Measurement const& measured)
+{
+    auto const& [curve, found] = measured;
+    place.attribute("path", curve.file);
+    place.attribute("columns", curve.columns);
+    place.attribute("torque_constant_Nm_per_A", curve.rig.torque_constant);
+    place.attribute("counts_per_turn", curve.rig.counts_per_turn);
+    place.attribute("ratio", curve.rig.ratio);
+    place.attribute("efficiency", curve.rig.efficiency);
+    place.attribute("angle_per_spline", curve.rig.angle_per_spline);
+    layout::write_attributes(place, figures::measured_curve_figures(), found);
+    place.numbers("twist", curve.twist, {"rad", "twist of the samples at the output", {"sample"}});
+    place.numbers("torque", curve.torque, {"N mm", "torque of the samples at the output", {"sample"}});
+    for (auto const& figure : figures::measured_figures()) {
+        Estimate const& estimate = figure.value(found);
+        if (estimate.count == 0)
+            continue;
+        layout::write_named(place, figure.name, [&](char const* name) {
+            place.numbers(name, {estimate.value, estimate.error},
+                          {figure.unit.stored, std::string(figure.words) + ": value and standard error", {"estimate"}});
+        });
+        place.figure({figure.name.now, figure.name.now, figure.name.now, figure.unit.stored, figure.words, false});
+        place.integers(std::string(figure.name.now) + "_count", {estimate.count},
+                       {"1", "number of values averaged", {"average"}});
+        if (figure.name.former != nullptr)
+            place.link(figure.name.now + std::string("_count"), figure.name.former + std::string("_count"));
+    }
 }
 
 }  // namespace hdconj::io

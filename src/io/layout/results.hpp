@@ -13,7 +13,6 @@
 #include "hdconj/wanted_curve.hpp"
 #include "hdconj/wedm.hpp"
 #include "io/mesh/spline_surface.hpp"
-#include "layout_record.hpp"
 
 namespace hdconj::io::layout {
 
@@ -31,6 +30,9 @@ inline constexpr int accuracy_version = 2;
 /// @param balls  of the bearing: forces of single balls are in N, those of a line of balls (0) in N/mm
 [[nodiscard]] RecordedGroup whole_layout(int balls);
 
+/// What a file is, who made it and when, and the name of the drive.
+void write_origin(Writer const& root, char const* format, int version, Scene const& scene);
+
 /// The attribute `scene` and, where the scene names files, the group `scene_files` with what they held.
 void write_scene(Writer const& root, Scene const& scene);
 
@@ -41,8 +43,8 @@ void write_solution(Writer const& root, Solution const& solution);
 /// @throws std::logic_error where slices differ in their number of points, or z in its number
 void write_circular_spline(Writer const& place, CircularSplineOutline const& outline);
 
-/// The same and, where the solution has one, the toothed surface as a mesh.
-void write_spline_and_surface(Writer const& place, Solution const& solution);
+/// All of a solution, its circular spline with the side clearance [mm] and, where there is one, the toothed surface.
+void write_solution(Writer const& root, Solution const& solution, double side_clearance);
 
 /// Surface and kind of tilt of the cases of a study, as columns.
 template <class Cases>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The layout of the result file, as docs/reference/hdf5.md describes it.
+// The layouts of the result file, and of the file of a neutral curve that was wanted, as docs/reference/hdf5.md
+// describes it.
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -7,6 +8,7 @@
 
 #include "columns.hpp"
 #include "figures/summary_figures.hpp"
+#include "figures/wanted_figures.hpp"
 #include "hdconj/version.hpp"
 #include "results.hpp"
 
@@ -22,6 +24,17 @@ std::string layout::date_text()
     std::array<char, sizeof "-2147483648-12-31T23:59:59Z"> text = {};
     std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &fields);
     return text.data();
+}
+
+void layout::write_origin(Writer const& root, char const* format, int version, Scene const& scene)
+{
+    root.attribute("format", std::string(format));
+    root.attribute("format_version", version);
+    root.attribute("program_version", std::string(program_version()));
+    root.attribute("git_revision", std::string(git_revision()));
+    root.attribute("build", std::string(build_description()));
+    root.attribute("date", date_text());
+    root.attribute("drive", scene.drive.name);
 }
 
 void layout::write_scene(Writer const& root, Scene const& scene)
@@ -50,13 +63,7 @@ using layout::Writer;
 
 void write_provenance(Writer const& root, Solution const& solution)
 {
-    root.attribute("format", std::string("hdconj"));
-    root.attribute("format_version", layout::format_version);
-    root.attribute("program_version", std::string(program_version()));
-    root.attribute("git_revision", std::string(git_revision()));
-    root.attribute("build", std::string(build_description()));
-    root.attribute("date", layout::date_text());
-    root.attribute("drive", solution.scene.drive.name);
+    layout::write_origin(root, "hdconj", layout::format_version, solution.scene);
     root.attribute("given", figures::given_member(solution));
     layout::write_scene(root, solution.scene);
     root.attribute("threads", solution.threads);
@@ -251,6 +258,25 @@ void layout::write_result(Writer const& root, Solution const& solution)
 {
     write_solution(root, solution);
     root.group("circular_spline", [&](Writer const& place) { write_circular_spline(place, solution.circular_spline); });
+}
+
+void layout::write_result(Writer const& root, WantedCurve const& found)
+{
+    constexpr int wanted_version = 1;
+    write_origin(root, "hdconj-neutral-curve", wanted_version, found.scene);
+    write_scene(root, found.scene);
+    root.attribute("kinematics", std::string(to_string(found.scene.solver.kinematics)));
+    if (!found.notes.empty())
+        root.attribute("notes", found.notes);
+    root.points("neutral_curve", found.neutral_curve, "deformed neutral curve in the fixed frame, closed",
+                "curve_point");
+    root.points("inner_surface", found.inner_surface, "surface of the cam, parallel to the neutral curve",
+                "curve_point");
+    root.group("wanted_curve", [&](Writer const& place) {
+        write_attributes(place, figures::wanted_figures(), found);
+        place.attribute("ends", found.ends);
+        write_columns(place, "row", figures::wanted_rows(), found.rows);
+    });
 }
 
 }  // namespace hdconj::io

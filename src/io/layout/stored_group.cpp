@@ -3,7 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
+#include <memory>
+#include <utility>
+
+#include "hdconj/error.hpp"
+#include "hdconj/read_scene.hpp"
+#include "results.hpp"
 
 namespace hdconj::io::layout {
 namespace {
@@ -53,6 +61,83 @@ void read_group(StoredGroup const& place, RecordedGroup const& pattern, GroupSin
     }
 }
 
+std::vector<OutlinePiece> pieces_of(StoredGroup const& place, std::size_t points)
+{
+    auto const kinds = place.list<std::string>("kind"), segments = place.list<std::string>("segment_name");
+    auto const first = place.list<int>("first"), last = place.list<int>("last");
+    require(segments.size() == kinds.size() && first.size() == kinds.size() && last.size() == kinds.size(),
+            "lists of pieces differ in length");
+    std::vector<OutlinePiece> pieces;
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        require(first[i] >= 0 && last[i] >= first[i] && static_cast<std::size_t>(last[i]) < points,
+                "a piece lies outside the outline");
+        pieces.push_back(
+            {kinds[i], segments[i], static_cast<std::size_t>(first[i]), static_cast<std::size_t>(last[i])});
+    }
+    return pieces;
+}
+
+CircularSplineOutline outline_of(StoredGroup const& place)
+{
+    constexpr std::size_t slices_points_coordinates = 3, plane = 2;
+    CircularSplineOutline result;
+    result.z = place.list<double>("z");
+    StoredValues const outline = place.dataset("outline", 0, slices_points_coordinates);
+    auto const& flat = std::get<std::vector<double>>(outline.values);
+    std::size_t const slices = outline.shape[0], points = outline.shape[1];
+    require(outline.shape[2] == plane && slices == result.z.size() && slices > 0 && points > 0,
+            "outline and z do not go together");
+    for (double const value : flat)
+        require(std::isfinite(value), "a point of the outline is not finite");
+    for (std::size_t k = 0; k < slices; ++k) {
+        auto& slice = result.outline.emplace_back();
+        for (std::size_t i = 0; i < points; ++i) {
+            std::size_t const at = plane * (k * points + i);
+            slice.emplace_back(flat[at], flat[at + 1]);
+        }
+    }
+    result.landmarks = place.list<int>("landmarks");
+    for (int const landmark : result.landmarks)
+        require(landmark >= 0 && static_cast<std::size_t>(landmark) < points, "a landmark lies outside the outline");
+    result.pieces = pieces_of(*place.group("pieces"), points);
+    return result;
+}
+
+/// The cases of the group @p place of contact or load; none in a file of the first format.
+std::vector<StoredCase> cases_of(StoredGroup const& place)
+{
+    std::vector<StoredCase> cases;
+    if (!place.holds("side_clearance_increased"))
+        return cases;
+    auto const surface = place.list<std::string>("surface"), kind = place.list<std::string>("kind");
+    auto const increased = place.list<int>("side_clearance_increased");
+    auto const column = [&](char const* name) {
+        return place.holds(name) ? place.list<double>(name) : std::vector<double>();
+    };
+    auto const tilt = column("tilt"), offset = column("backlash_offset"), tip = column("tip_radius"),
+               least = column("least_side_clearance"), least_tip = column("least_tip_radius"),
+               flank = column("flank_clearance"), error = column("flank_clearance_error"), z = column("flank_z");
+    std::size_t const count = surface.size();
+    require(kind.size() == count, "lists of cases differ in length");
+    for (auto const* const each : {&tilt, &offset, &tip})
+        require(each->size() == count && increased.size() == count, "lists of cases differ in length");
+    bool const has_flank =
+        flank.size() == count && z.size() == count && least.size() == count && least_tip.size() == count;
+    constexpr double touches = 1e-6;  // of teeth that shall touch, without an error [mm]
+    for (std::size_t i = 0; i < count; ++i) {
+        StoredCase one{surface[i], kind[i], tilt[i], {}, 0, increased[i] != 0, offset[i], tip[i]};
+        if (has_flank) {
+            one.flank_clearance = flank[i];
+            one.flank_z = z[i];
+            one.interferes = one.interferes || flank[i] < -std::max(touches, error.size() == count ? error[i] : 0);
+            one.side_clearance = std::max(offset[i], least[i]);
+            one.tip_radius = std::max(tip[i], least_tip[i]);
+        }
+        cases.push_back(std::move(one));
+    }
+    return cases;
+}
+
 }  // namespace
 
 void read_layout(StoredGroup const& place, RecordedGroup const& pattern, GroupSink& into)
@@ -60,4 +145,58 @@ void read_layout(StoredGroup const& place, RecordedGroup const& pattern, GroupSi
     read_group(place, pattern, into, {});
 }
 
+scene::NamedTexts files_of(StoredGroup const& result)
+{
+    scene::NamedTexts files;
+    if (!result.holds("scene_files"))
+        return files;
+    auto const place = result.group("scene_files");
+    auto const names = place->list<std::string>("name"), texts = place->list<std::string>("text");
+    require(names.size() == texts.size(), "lists of files differ in length");
+    for (std::size_t i = 0; i < names.size(); ++i)
+        files.emplace(names[i], std::make_shared<std::string const>(texts[i]));
+    return files;
+}
+
+StoredOutline stored_outline(StoredGroup const& result)
+{
+    auto const format = result.attribute<std::string>("format");
+    require(
+        format != "hdconj-neutral-curve",
+        "it holds the neutral curve of a wanted scene; take the drive that hdconj solve --completed DRIVE.toml writes");
+    require(format == "hdconj", "it is of another program");
+    require(result.attribute<int>("format_version") <= format_version, "it was written by a newer version");
+    auto const spline = result.group("circular_spline");
+    StoredOutline stored{result.attribute<std::string>("scene"), outline_of(*spline), {}, {}, {}, files_of(result)};
+    for (auto const& [group, verb] : {std::pair("contact", "contact"), {"load", "load"}, {"running", "run"}})
+        if (result.holds(group))
+            stored.verb = verb;
+    if (stored.verb == "contact" || stored.verb == "load")
+        stored.cases = cases_of(*result.group(stored.verb));
+    if (spline->has_attribute("side_clearance_mm"))
+        stored.side_clearance = spline->attribute<double>("side_clearance_mm");
+    return stored;
+}
+
 }  // namespace hdconj::io::layout
+
+namespace hdconj {
+
+scene::SceneReading examine_stored_scene(StoredOutline const& stored, std::filesystem::path const& file,
+                                         std::vector<std::string> const& overrides)
+{
+    scene::SceneReading reading =
+        examine_scene(stored.scene, file.string(), file.parent_path(), overrides, stored.files);
+    Faults missing;
+    for (auto const& [name, text] : reading.scene.files)
+        if (text == nullptr)
+            missing.push_back({file.string(), 0, "",
+                               "its scene reads " + name + ", which is neither kept in the result nor beside it",
+                               "put the file there, or solve the scene anew"});
+    if (!missing.empty())
+        throw InputError(std::move(missing));
+    examine_geometry(reading);
+    return reading;
+}
+
+}  // namespace hdconj

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "hdconj/result_files.hpp"
-#include "layout_record.hpp"
+#include "writer.hpp"
 
 namespace hdconj::io::layout {
 
