@@ -2,7 +2,6 @@
 // The keys are an interface, described in docs/reference/json.md.
 #include "design_object.hpp"
 #include "hdconj/design_files.hpp"
-#include "hdconj/version.hpp"
 
 namespace hdconj::report {
 namespace {
@@ -87,12 +86,7 @@ namespace hdconj {
 
 std::string summary_json(Design const& design, std::vector<WrittenFile> const& written)
 {
-    using report::Json;
-    constexpr int format_version = 1;
-    Json object = {{"format", "hdconj-design"},
-                   {"format_version", format_version},
-                   {"program_version", program_version()},
-                   {"git_revision", git_revision()}};
+    auto object = report::format_heading("hdconj-design", 1);
     object.update(report::design_object(design));
     object["files"] = report::files_object(written);
     return report::printed(object);

@@ -2,13 +2,10 @@
 // The keys are an interface, described in docs/reference/json.md.
 #include "figures/inspect_figures.hpp"
 #include "hdconj/inspect_files.hpp"
-#include "hdconj/version.hpp"
 #include "summary_object.hpp"
 
 namespace hdconj::report {
 namespace {
-
-constexpr int inspect_json_version = 1;
 
 Json flank_object(FlankFigures const& flank)
 {
@@ -39,12 +36,12 @@ namespace hdconj {
 
 std::string summary_json(Inspection const& inspection, std::vector<WrittenFile> const& written)
 {
-    using report::Json, report::list_of;
-    Json result = {
-        {"format", "hdconj-inspection"},        {"format_version", report::inspect_json_version},
-        {"program_version", program_version()}, {"git_revision", git_revision()},
-        {"drive", inspection.scene.drive.name}, {"part", to_string(inspection.options.part)},
-        {"points_file", inspection.file},       {"registration", to_string(inspection.options.registration)}};
+    using report::list_of;
+    auto result = report::format_heading("hdconj-inspection", 1);
+    result.update({{"drive", inspection.scene.drive.name},
+                   {"part", to_string(inspection.options.part)},
+                   {"points_file", inspection.file},
+                   {"registration", to_string(inspection.options.registration)}});
     report::add_figures(result, figures::inspection_figures(), inspection);
     result["placement"] = report::figures_object(figures::placement_figures(), inspection.placement);
     result["nominal"] = list_of(inspection.nominal, [](NominalFigures const& each) {

@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include "hdconj/report.hpp"
-#include "hdconj/version.hpp"
 #include "report/html/stored_result.hpp"
 #include "summary_object.hpp"
 
@@ -42,15 +41,10 @@ Json drive_object(ReportedDrive const& drive)
 
 std::string summary_json(Report const& made, std::vector<WrittenFile> const& written)
 {
-    using report::Json;
-    constexpr int format_version = 1;
-    Json object = {{"format", "hdconj-report"},
-                   {"format_version", format_version},
-                   {"program_version", program_version()},
-                   {"git_revision", git_revision()},
-                   {"drives", report::list_of(made.drives, report::drive_object)},
-                   {"failed", report::failed_json(made.failed)},
-                   {"files", report::files_object(written)}};
+    auto object = report::format_heading("hdconj-report", 1);
+    object["drives"] = report::list_of(made.drives, report::drive_object);
+    object["failed"] = report::failed_json(made.failed);
+    object["files"] = report::files_object(written);
     for (WrittenFile const& file : written)
         object["files"][file.kind]["bytes"] = std::filesystem::file_size(file.file);
     return report::printed(object);

@@ -4,15 +4,13 @@
 #include <cmath>
 
 #include "figures/summary_figures.hpp"
+#include "figures/wanted_figures.hpp"
 #include "hdconj/version.hpp"
-#include "io/scene/note_json.hpp"
+#include "hdconj/wanted_curve_files.hpp"
 #include "summary_object.hpp"
 
 namespace hdconj::report {
 namespace {
-
-/// Number of the set of keys; goes up when a key changes its meaning.
-constexpr int json_version = 2;
 
 Json drive_object(Solution const& solution)
 {
@@ -69,10 +67,9 @@ Json solution_errors(Solution const& solution)
 
 Json timing_object(Solution const& solution)
 {
-    Json const stages = list_of(solution.timing, [](StageTime const& entry) -> Json {
-        return {{"stage", entry.stage}, {"seconds", number(entry.seconds)}};
-    });
-    return {{"threads", solution.threads}, {"total_s", number(figures::total_seconds(solution))}, {"stages", stages}};
+    return {{"threads", solution.threads},
+            {"total_s", number(figures::total_seconds(solution))},
+            {"stages", stages_object(solution.timing)}};
 }
 
 }  // namespace
@@ -80,6 +77,36 @@ Json timing_object(Solution const& solution)
 Json number(double value)
 {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json format_heading(char const* format, int version)
+{
+    return {{"format", format},
+            {"format_version", version},
+            {"program_version", program_version()},
+            {"git_revision", git_revision()}};
+}
+
+Json stages_object(std::vector<StageTime> const& timing)
+{
+    return list_of(timing, [](StageTime const& entry) -> Json {
+        return {{"stage", entry.stage}, {"seconds", number(entry.seconds)}};
+    });
+}
+
+Json notes_object(Notes const& notes)
+{
+    return list_of(notes, [](Note const& note) -> Json {
+        return {{"code", to_string(note.code)},
+                {"severity", to_string(note.severity)},
+                {"figure", number(note.figure)},
+                {"limit", number(note.limit)},
+                {"unit", note.unit},
+                {"place", note.place},
+                {"cause", note.cause},
+                {"advice", note.advice},
+                {"set", note.set}};
+    });
 }
 
 Json files_object(std::vector<WrittenFile> const& written)
@@ -92,11 +119,9 @@ Json files_object(std::vector<WrittenFile> const& written)
 
 Json summary_object(Solution const& solution)
 {
-    Json result = {{"format", "hdconj-summary"},
-                   {"format_version", json_version},
-                   {"program_version", program_version()},
-                   {"git_revision", git_revision()},
-                   {"drive", drive_object(solution)}};
+    constexpr int format_version = 2;  // goes up when a key changes its meaning
+    Json result = format_heading("hdconj-summary", format_version);
+    result["drive"] = drive_object(solution);
     add_values(result["geometry"], figures::geometry_figures(), solution);
     result["branches"] = branches_object(solution);
     result["conjugate_zones"] = list_of(solution.zones, zone_object);
@@ -106,7 +131,7 @@ Json summary_object(Solution const& solution)
     }
     if (!solution.notes.empty())
         result["notes"] = solution.notes;
-    result["judgement"] = io::json_of(solution.judgement);
+    result["judgement"] = notes_object(solution.judgement);
     result["certificate"] = certificate_object(solution.certificate);
     auto const& spline = solution.circular_spline;
     result["circular_spline"] = {{"slices", spline.outline.size()},
@@ -127,10 +152,15 @@ std::string finished(Json summary, Solution const& solution, std::vector<Written
     return printed(summary);
 }
 
-std::string printed(Json const& summary)
+std::string indented(Json const& object)
 {
     constexpr int indent = 2;
-    return summary.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
+    return object.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string printed(Json const& summary)
+{
+    return indented(summary) + '\n';
 }
 
 }  // namespace hdconj::report
@@ -140,6 +170,20 @@ namespace hdconj {
 std::string summary_json(Solution const& solution, std::vector<WrittenFile> const& written)
 {
     return report::finished(report::summary_object(solution), solution, written);
+}
+
+std::string summary_json(WantedCurve const& found, std::vector<WrittenFile> const& written)
+{
+    auto result = report::format_heading("hdconj-neutral-curve", 1);
+    result.update({{"drive", found.scene.drive.name}, {"kinematics", to_string(found.scene.solver.kinematics)}});
+    report::add_figures(result, figures::wanted_figures(), found);
+    result["ends"] = found.ends;
+    result["rows"] = report::list_of(
+        found.rows, [](WantedCurveRow const& row) { return report::figures_object(figures::wanted_rows(), row); });
+    result["notes"] = found.notes;
+    result["timing"] = {{"threads", found.threads}, {"stages", report::stages_object(found.timing)}};
+    result["files"] = report::files_object(written);
+    return report::printed(result);
 }
 
 }  // namespace hdconj

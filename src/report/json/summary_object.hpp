@@ -96,6 +96,15 @@ template <class Items, class Make>
     return list;
 }
 
+/// What every summary begins with: its format, and the program.
+[[nodiscard]] Json format_heading(char const* format, int version);
+
+/// Stages with their times.
+[[nodiscard]] Json stages_object(std::vector<StageTime> const& timing);
+
+/// An array with one object a note on a design.
+[[nodiscard]] Json notes_object(Notes const& notes);
+
 /// Files by their kind, each with its path and time.
 [[nodiscard]] Json files_object(std::vector<WrittenFile> const& written);
 
@@ -105,7 +114,8 @@ template <class Items, class Make>
 /// Adds "timing" and "files" and prints it.
 [[nodiscard]] std::string finished(Json summary, Solution const& solution, std::vector<WrittenFile> const& written);
 
-/// The object as text; bytes of file names that are not UTF-8 are replaced.
+/// The object as text, without and with a line end; bytes of file names that are not UTF-8 are replaced.
+[[nodiscard]] std::string indented(Json const& object);
 [[nodiscard]] std::string printed(Json const& summary);
 
 }  // namespace hdconj::report

@@ -3,14 +3,10 @@
 #include <algorithm>
 
 #include "figures/wire_figures.hpp"
-#include "hdconj/version.hpp"
-#include "io/scene/note_json.hpp"
 #include "summary_object.hpp"
 
 namespace hdconj::report {
 namespace {
-
-constexpr int wire_json_version = 1;
 
 Json face_object(FaceRadii const& radii, std::vector<Vec2> const& contour)
 {
@@ -71,23 +67,19 @@ namespace hdconj {
 std::string summary_json(WireSetUps const& programs, std::vector<WireFile> const& files,
                          std::filesystem::path const& folder, std::vector<WrittenFile> const& pictures)
 {
-    using report::Json;
     figures::MeasuredProgram const first(programs.front());
     auto const& program = first.program;
-    Json result = {{"format", "hdconj-wire-summary"},
-                   {"format_version", report::wire_json_version},
-                   {"program_version", program_version()},
-                   {"git_revision", git_revision()},
-                   {"part", program.name}};
+    auto result = report::format_heading("hdconj-wire-summary", 1);
+    result["part"] = program.name;
     report::add_figures(result, figures::wire_figures(), first);
     result["lower_face"] = report::face_object(first.figures.lower, program.nominal.lower);
     result["upper_face"] = report::face_object(first.figures.upper, program.nominal.upper);
     result["checks"] =
-        program.tolerance > 0 ? report::figures_object(figures::wire_check_figures(), first) : Json(nullptr);
+        program.tolerance > 0 ? report::figures_object(figures::wire_check_figures(), first) : report::Json(nullptr);
     result["warnings"] = figures::wire_warnings(program, files);
     result["notes"] = program.notes;
     result["left_out"] = program.left_out;
-    result["judgement"] = io::json_of(program.judgement);
+    result["judgement"] = report::notes_object(program.judgement);
     result["set_ups"] = report::list_of(programs, report::set_up_object);
     result["residual_in_meshing_zone"] = std::any_of(programs.begin(), programs.end(), report::meshes);
     result["folder"] = folder.string();
