@@ -6,10 +6,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -22,7 +25,6 @@
 #include "hdconj/scene/schema.hpp"
 #include "hdconj/version.hpp"
 #include "heap.hpp"
-#include "study.hpp"
 #include "verb.hpp"
 
 namespace hdconj::cli {
@@ -197,6 +199,31 @@ std::vector<std::string> command_line(int argc, char** argv)
         words.emplace_back("--help");
     }
     return words;
+}
+
+/// Replaces this process by `hdconj-study`, beside this program or on the path, as git does with its commands.
+/// @param words the command line from "study" on
+/// @return exit_failed, with a message, where there is no such program; else nothing returns
+int start_study_program(std::vector<std::string> words)
+{
+    std::string const name = "hdconj-study";
+    words.front() = name;
+    std::vector<char*> arguments;
+    for (auto& word : words)
+        arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    std::signal(SIGPIPE, SIG_DFL);
+    std::signal(SIGXFSZ, SIG_DFL);
+    std::error_code none;
+    auto const own = std::filesystem::read_symlink("/proc/self/exe", none);
+    if (!none)
+        execv((own.parent_path() / name).c_str(), arguments.data());
+    execvp(name.c_str(), arguments.data());
+    std::cerr << "hdconj: the verb study needs the program " << name << ", "
+              << (errno == ENOENT ? "which is neither beside hdconj nor on the path"
+                                  : "which cannot be run: " + std::generic_category().message(errno))
+              << "; install it with: pip install 'hdconj[study]'\n";
+    return exit_failed;
 }
 
 int run(int argc, char** argv)

@@ -21,6 +21,13 @@ std::string standard_input()
     return text;
 }
 
+Scene scene_of(scene::SceneReading reading)
+{
+    sort_by_place(reading.faults);
+    refuse(std::move(reading.faults));
+    return std::move(reading.scene);
+}
+
 }  // namespace
 
 void add_scene_options(CLI::App& verb, CommonOptions& common)
@@ -73,17 +80,6 @@ scene::SceneReading examine_drive(CommonOptions const& common)
     }
     return reading;
 }
-
-namespace {
-
-Scene scene_of(scene::SceneReading reading)
-{
-    sort_by_place(reading.faults);
-    refuse(std::move(reading.faults));
-    return std::move(reading.scene);
-}
-
-}  // namespace
 
 Scene load_scene(CommonOptions const& common)
 {
