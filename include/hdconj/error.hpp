@@ -51,6 +51,9 @@ class InputError : public std::runtime_error
     Faults faults_;
 };
 
+/// Throws InputError with @p faults where there are any.
+void throw_if_any(Faults faults);
+
 /// The kind as Python gives it: "other", "unknown", "value".
 [[nodiscard]] std::string_view kind_word(FaultKind kind);
 
@@ -105,6 +108,8 @@ class NumericalError : public std::runtime_error
     /// Whether the drive that was asked for has no answer, as opposed to a result or a file that the program itself
     /// rejects. Searches over drives count such a drive as impossible and go on.
     [[nodiscard]] bool is_infeasible() const;
+    /// Where it was caught: throws it once more unless is_infeasible().
+    void rethrow_unless_infeasible() const;
 
     /// The same failure as an outer stage sees it: the whole former message becomes the cause.
     [[nodiscard]] NumericalError inside(std::string stage, std::string place) const;

@@ -163,9 +163,7 @@ class Measuring
 
 AccuracyReport measure_accuracy(Scene const& scene, AccuracyOptions const& options, StudyProgress const& progress)
 {
-    Faults const faults = check_accuracy(scene, options);
-    if (!faults.empty())
-        throw InputError(faults);
+    throw_if_any(check_accuracy(scene, options));
     return Measuring(scene, options, progress)();
 }
 

@@ -49,8 +49,7 @@ std::vector<std::array<double, 2>> rows_of(Scene const& scene)
         scene::read_number_pairs(scene.wave_generator.shape, "file", scene.folder.string(),
                                  {scene::ColumnQuantity::angle, scene::ColumnQuantity::length},
                                  "angle in degrees, radial displacement in mm", faults);
-    if (!faults.empty())
-        throw InputError(faults);
+    throw_if_any(faults);
     std::vector<std::array<double, 2>> rows;
     constexpr double typed = 1e-9;  // degrees, as the program reads it
     for (scene::NumberPair const& row : table.rows)
@@ -143,8 +142,7 @@ StudyDrive drive_parts(Scene const& scene)
     Faults faults;
     drive.tooth = drive::given_tooth(scene, faults);
     drive.shape = drive::wave_shape(scene, drive.tooth, faults);
-    if (!faults.empty())
-        throw InputError(faults);
+    throw_if_any(faults);
     drive.motions.push_back(motion_of(drive, conjugate::tooth_ratio(scene)));
     if (drive.reverse())
         see_from_flexspline(drive);

@@ -36,6 +36,12 @@ std::string describe_one(Fault const& fault)
 
 InputError::InputError(Faults found) : std::runtime_error(describe(found)), faults_(std::move(found)) {}
 
+void throw_if_any(Faults faults)
+{
+    if (!faults.empty())
+        throw InputError(std::move(faults));
+}
+
 std::string describe(Faults const& faults)
 {
     std::string text;
@@ -94,6 +100,12 @@ bool NumericalError::is_infeasible() const
 {
     return code_ != ErrorCode::no_reference && code_ != ErrorCode::no_room && code_ != ErrorCode::failed_check &&
            code_ != ErrorCode::stopped;
+}
+
+void NumericalError::rethrow_unless_infeasible() const
+{
+    if (!is_infeasible())
+        throw;
 }
 
 NumericalError NumericalError::inside(std::string stage, std::string place) const

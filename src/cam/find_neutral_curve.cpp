@@ -302,10 +302,8 @@ namespace hdconj {
 
 WantedCurve find_neutral_curve(Scene const& scene, StageObserver const& on_stage)
 {
-    if (Faults const faults = scene::value_faults(scene); !faults.empty())
-        throw InputError(faults);
-    if (Faults const faults = check_wanted_scene(scene); !faults.empty())
-        throw InputError(faults);
+    throw_if_any(scene::value_faults(scene));
+    throw_if_any(check_wanted_scene(scene));
     WantedCurve out;
     out.scene = scene;
     out.plan = make_plan(scene);

@@ -79,8 +79,7 @@ DesignRow const& Design::row(std::string_view key) const
 
 Design design_drive(DesignWishes const& wishes, std::function<void(std::string const&)> const& talk)
 {
-    if (Faults faults = check_design(wishes); !faults.empty())
-        throw InputError(std::move(faults));
+    throw_if_any(check_design(wishes));
     if (talk)
         talk("radial deformation and tip circle");
     design::WallSearch search(wishes, talk);

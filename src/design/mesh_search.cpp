@@ -124,8 +124,7 @@ class MeshSearch
             scene.solver.tolerance = drawn * scene.drive.module;
             judge_pair(solve(scene), made);
         } catch (NumericalError const& error) {
-            if (!error.is_infeasible())
-                throw;
+            error.rethrow_unless_infeasible();
             made.too_small = error.code() == ErrorCode::no_land || error.code() == ErrorCode::interference;
             trial.refusal = error.cause();
         } catch (InputError const& error) {

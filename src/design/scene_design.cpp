@@ -127,8 +127,7 @@ void tell_steel(Scene const& scene, DesignWishes& wishes, Tell const& tell)
 
 DesignWishes wishes_of(Scene const& scene, std::vector<DerivedWish>* derived)
 {
-    if (Faults faults = unlike_wishes(scene); !faults.empty())
-        throw InputError(std::move(faults));
+    throw_if_any(unlike_wishes(scene));
     std::vector<DerivedWish> unseen;
     std::vector<DerivedWish>& told = derived != nullptr ? *derived : unseen;
     auto const tell = [&](char const* option, std::string value, std::string from) {

@@ -109,8 +109,7 @@ Scene scene_of(std::vector<DesignRow> const& rows, std::vector<DesignRow> const&
     auto reading = scene::validate_scene(root, {profile::profile_families(), wavegen::wave_generator_families()});
     if (reading.faults.empty())
         reading.faults = check_scene(reading.scene);
-    if (!reading.faults.empty())
-        throw InputError(std::move(reading.faults));
+    throw_if_any(std::move(reading.faults));
     return std::move(reading.scene);
 }
 

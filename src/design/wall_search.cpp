@@ -97,8 +97,7 @@ WallTrial stress_of(MeshedSheet const& made, DesignWishes const& wishes, bool er
             trial.refusal = short_number(most, told_digits) + " MPa, and " +
                             short_number(allowed_stress(wishes), told_digits) + " MPa are allowed";
     } catch (NumericalError const& error) {
-        if (!error.is_infeasible())
-            throw;
+        error.rethrow_unless_infeasible();
         trial.refusal = error.what();
     }
     return trial;

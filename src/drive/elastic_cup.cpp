@@ -197,8 +197,7 @@ std::shared_ptr<elastic::BentCup const> elastic_cup(Scene const& scene)
                           "data/scenes/type-50-elastic.toml is an example"});
     profile::Profile const tooth = drive::given_tooth(scene, faults);
     wavegen::AnyWaveShape const shape = drive::wave_shape(scene, tooth, faults);
-    if (!faults.empty())
-        throw InputError(faults);
+    throw_if_any(faults);
     return drive::bent_cup(scene, drive::ring_geometry(scene, tooth).flexspline_inner_radius, shape,
                            thread_count(scene.solver.threads));
 }

@@ -159,13 +159,11 @@ void write_solution(ContactStudy& study, contact::ContactStudyData& data, Scene 
 ContactStudy study_contact(Scene const& scene, ContactOptions const& options, StageObserver const& on_stage,
                            Progress const& progress)
 {
-    if (Faults const values = scene::value_faults(scene); !values.empty())
-        throw InputError(values);
+    throw_if_any(scene::value_faults(scene));
     Faults faults;
     for (Faults const& more : {check_scene(scene), check_contact(scene, options)})
         faults.insert(faults.end(), more.begin(), more.end());
-    if (!faults.empty())
-        throw InputError(faults);
+    throw_if_any(faults);
     contact::ContactStudyData data(with_options(scene, options), Verb::contact, on_stage);
     ContactContext const& context = *data.context;
     std::vector<SurfaceSpec> const wanted = contact::surface_choices(scene, options);

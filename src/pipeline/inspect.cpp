@@ -110,13 +110,11 @@ void require_finite(Faults& faults, char const* option, std::optional<double> gi
 Inspection inspect_points(Scene const& scene, PointFile const& given, InspectOptions const& options,
                           StageObserver const& on_stage)
 {
-    if (Faults const values = scene::value_faults(scene); !values.empty())
-        throw InputError(values);
+    throw_if_any(scene::value_faults(scene));
     Faults faults = check_scene(scene);
     require_finite(faults, "--probe", options.probe);
     require_finite(faults, "--plane", options.plane);
-    if (!faults.empty())
-        throw InputError(faults);
+    throw_if_any(faults);
     PointFile const measured = inspect::of_own_layer(given, options.part);
     std::vector<double> const z = inspect::planes_of(measured, options);
     inspect::refuse_planes_outside(z, scene, measured, options);

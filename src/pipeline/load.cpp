@@ -48,8 +48,7 @@ void describe_drive(contact::ContactStudyData& data, load::ElasticDrive const& d
 LoadStudy study_load(Scene const& scene, LoadOptions const& options, StageObserver const& on_stage,
                      Progress const& progress, std::function<void(std::string const&)> const& talk)
 {
-    if (Faults const faults = scene::value_faults(scene); !faults.empty())
-        throw InputError(faults);
+    throw_if_any(scene::value_faults(scene));
     load::LoadObserver const observer{progress, talk};
     auto const [data, standard_tip_increase] = load::contact_data(load::checked_scene(scene, options), on_stage);
     contact::ContactContext const& context = *data->context;

@@ -41,8 +41,7 @@ Plan plan_of(Scene const& scene, std::string const& verb, std::string const& pla
     if (scene.wants_neutral_curve())
         throw InputError(Fault{place, 0, verb, "only solve takes a scene whose neutral curve is wanted",
                                "leave it out, or use the scene that hdconj solve --completed writes"});
-    if (Faults faults = faults_of(scene, verb); !faults.empty())
-        throw InputError(std::move(faults));
+    throw_if_any(faults_of(scene, verb));
     if (verb == "run")
         return plan_run(scene);
     return verb == "load" ? make_plan(loaded_scene(scene), Verb::load) : make_plan(scene, Verb::contact);

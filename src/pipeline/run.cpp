@@ -226,8 +226,7 @@ std::size_t positions_of(Scene const& scene, running::RunTask const& task, bool 
 RunStudy study_run(Scene const& scene, RunOptions const& options, StageObserver const& on_stage,
                    Progress const& progress)
 {
-    if (Faults const faults = scene::value_faults(scene); !faults.empty())
-        throw InputError(faults);
+    throw_if_any(scene::value_faults(scene));
     Scene const checked = running::checked_run_scene(scene, options);
     running::RunTask const task = running::run_task(checked, options);
     bool const elastic = task.torque > 0;

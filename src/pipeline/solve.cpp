@@ -55,10 +55,8 @@ Solution solve_with_automatic_backlash(Scene const& scene, StageObserver const& 
 
 Solution solve(Scene const& scene, StageObserver const& on_stage)
 {
-    if (Faults const faults = scene::value_faults(scene); !faults.empty())
-        throw InputError(faults);
-    if (Faults const faults = check_scene(scene); !faults.empty())
-        throw InputError(faults);
+    throw_if_any(scene::value_faults(scene));
+    throw_if_any(check_scene(scene));
     if (scene.circular_spline.automatic_backlash)
         return solve_with_automatic_backlash(scene, on_stage);
     conjugate::SolvedPlane plane;

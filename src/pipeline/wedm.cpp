@@ -36,8 +36,7 @@ std::optional<wedm::WireFaces> reached_faces(Scene scene)
     } catch (InputError const&) {
         return {};
     } catch (NumericalError const& error) {
-        if (!error.is_infeasible())
-            throw;
+        error.rethrow_unless_infeasible();
         return {};
     }
 }

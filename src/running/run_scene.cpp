@@ -113,12 +113,10 @@ RunTask run_task(Scene const& scene, RunOptions const& options)
 
 Scene checked_run_scene(Scene const& scene, RunOptions const& options)
 {
-    if (Faults const faults = check_run(scene, options); !faults.empty())
-        throw InputError(faults);
+    throw_if_any(check_run(scene, options));
     if (largest_torque(scene, options) > 0)
         return load::checked_scene(scene, load_options(scene, options));
-    if (Faults const faults = check_scene(scene); !faults.empty())
-        throw InputError(faults);
+    throw_if_any(check_scene(scene));
     return scene;
 }
 

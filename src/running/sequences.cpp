@@ -25,8 +25,7 @@ std::optional<double> drift_of(RunSequence const& sequence, SpanPlan const& plan
     try {
         return act(plan.pitches.front() + plan.period).error - sequence.positions.front().error;
     } catch (NumericalError const& error) {
-        if (!error.is_infeasible())
-            throw;
+        error.rethrow_unless_infeasible();
         return std::nullopt;
     }
 }

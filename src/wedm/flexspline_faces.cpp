@@ -48,8 +48,7 @@ ToothLine tooth_line(profile::Profile const& tooth, double chord, double r_m)
 ToothLine tooth_line(Scene const& scene)
 {
     Faults faults = check_scene(scene);
-    if (!faults.empty())
-        throw InputError(faults);
+    throw_if_any(faults);
     profile::Profile const tooth = drive::given_tooth(scene, faults);
     return tooth_line(tooth, scene.solver.tolerance, drive::ring_geometry(scene, tooth).r_m);
 }

@@ -193,8 +193,7 @@ std::optional<Cleared> try_nominal_part(CaseSurface const& surface, SliceClearan
                    ? std::optional(std::move(part))
                    : std::nullopt;
     } catch (NumericalError const& error) {
-        if (!error.is_infeasible())
-            throw;
+        error.rethrow_unless_infeasible();
         return std::nullopt;  // a part that cannot be made is not kept
     }
 }

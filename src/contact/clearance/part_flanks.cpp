@@ -79,8 +79,7 @@ PartFlanks part_flanks(CaseSurface const& surface, conjugate::MatchedOutline con
             made.outline = std::move(further);
             left = missing(made.grid, distance);
         } catch (NumericalError const& error) {
-            if (!error.is_infeasible())
-                throw;
+            error.rethrow_unless_infeasible();
             step *= 0.5;  // as far as there is a surface: see unseen_length()
         }
     }

@@ -37,8 +37,7 @@ class TiltCost
             result_.possible_to = std::max(result_.possible_to, tilt);
             return found;
         } catch (NumericalError const& error) {
-            if (!error.is_infeasible())
-                throw;
+            error.rethrow_unless_infeasible();
             ++result_.refused;
             result_.refusal = error.what();
             last_.emplace(error);

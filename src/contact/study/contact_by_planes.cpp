@@ -169,8 +169,7 @@ void check(Scene const& scene)
     if (scene.circular_spline.automatic_backlash || scene.circular_spline.backlash_offset != 0)
         faults.push_back({"circular_spline.backlash_offset", 0, "",
                           "the area by planes is that of flanks that touch without being turned", "write 0"});
-    if (!faults.empty())
-        throw InputError(faults);
+    throw_if_any(faults);
 }
 
 }  // namespace

@@ -20,8 +20,7 @@ namespace hdconj::contact {
 /// Refuses a scene with wrong values, and no planes @p z.
 inline void require_planes(Scene const& scene, std::vector<double> const& z)
 {
-    if (Faults const faults = scene::value_faults(scene); !faults.empty())
-        throw InputError(faults);
+    throw_if_any(scene::value_faults(scene));
     if (z.empty())
         throw InputError(Fault{"z", 0, "", "there is no plane", "give the height of a plane in mm, such as 0"});
 }
@@ -50,8 +49,7 @@ inline void require_planes(Scene const& scene, std::vector<double> const& z)
     Solution& middle = plane.solution;
     middle.scene = std::move(scene);
     middle.cup = std::move(cup);
-    if (Faults const faults = check_scene(middle.scene); !faults.empty())
-        throw InputError(faults);
+    throw_if_any(check_scene(middle.scene));
     middle.plan = make_plan(middle.scene);
     drive::StageClock clock(middle.plan, on_stage);
     conjugate::solve_plane(plane, clock, cup_error);

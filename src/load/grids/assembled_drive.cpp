@@ -70,8 +70,7 @@ std::vector<AssembledDrive> coarser_drives(contact::ContactContext const& contex
             LoadedDrive unloaded = assembly(context, model.drive);
             drives.push_back({grid, std::move(model), std::move(unloaded)});
         } catch (NumericalError const& error) {
-            if (!error.is_infeasible())
-                throw;
+            error.rethrow_unless_infeasible();
             return drives;  // such as more rigid balls than half of the harmonics resolve
         }
     }

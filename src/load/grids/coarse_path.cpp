@@ -18,8 +18,7 @@ CoarsePath::CoarsePath(contact::ContactContext const& context, AssembledDrive co
         if (play)
             path.emplace(torque_continuation(problem, drive.unloaded, *play));
     } catch (NumericalError const& error) {
-        if (!error.is_infeasible())
-            throw;
+        error.rethrow_unless_infeasible();
         // There is nothing to compare with.
     }
 }

@@ -200,8 +200,7 @@ Scene checked_scene(Scene const& asked, LoadOptions const& options)
 {
     Faults faults = check_either_sense(asked, options);
     std::ranges::move(check_scene(asked), std::back_inserter(faults));
-    if (!faults.empty())
-        throw InputError(faults);
+    throw_if_any(faults);
     return loaded_scene(asked, options);
 }
 

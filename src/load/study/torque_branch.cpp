@@ -162,8 +162,7 @@ double stiffness_at(TorqueContinuation const& path, LoadedDrive const& drive)
         if (twist * path.problem.context.geometry.r_m > gap_tolerance(path.problem))
             return std::abs(drive.torque - torque) / twist;
     } catch (NumericalError const& error) {
-        if (!error.is_infeasible())
-            throw;
+        error.rethrow_unless_infeasible();
     }
     return drive.state.stiffness;
 }

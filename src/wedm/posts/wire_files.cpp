@@ -35,8 +35,7 @@ std::vector<std::string> several_names(std::string text)
 
 std::vector<wedm::WirePost> chosen(WireSetUps const& programs, std::vector<std::string> const& dialects)
 {
-    if (Faults faults = check_dialects(dialects); !faults.empty())
-        throw InputError(std::move(faults));
+    throw_if_any(check_dialects(dialects));
     auto fitting = fitting_dialects(programs.front());
     if (dialects.empty())
         for (auto const& unfit : unfit_dialects(programs))
@@ -174,8 +173,7 @@ Faults check_dialects(std::vector<std::string> const& dialects, std::string cons
 void check_wire_files(std::filesystem::path const& folder, std::vector<std::string> const& dialects,
                       std::string const& place)
 {
-    if (Faults faults = check_dialects(dialects, place); !faults.empty())
-        throw InputError(std::move(faults));
+    throw_if_any(check_dialects(dialects, place));
     file::AtomicFolder::check(folder, file::AtomicFolder::wire_program);
 }
 
