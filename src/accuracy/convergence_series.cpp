@@ -186,19 +186,17 @@ std::string why_no_order(std::vector<ConvergenceLevel> const& levels, double flo
 {
     std::vector<ConvergenceLevel const*> const clear = above(levels, floor);
     constexpr std::size_t least = 3;
-    bool const fall =
-        std::adjacent_find(clear.begin(), clear.end(), [](ConvergenceLevel const* a, ConvergenceLevel const* b) {
-            return !falls(*a, *b);
-        }) == clear.end();
+    bool const fall = std::ranges::adjacent_find(clear, [](ConvergenceLevel const* a, ConvergenceLevel const* b) {
+                          return !falls(*a, *b);
+                      }) == clear.end();
     return clear.size() < least || fall ? std::string() : "errors do not fall by 5 % at every level";
 }
 
 std::optional<ErrorPerStep> error_per_step(std::vector<ConvergenceLevel> const& levels)
 {
     std::vector<ConvergenceLevel const*> const all = above(levels, not_measured);
-    auto const best =
-        std::min_element(all.begin(), all.end(),
-                         [](ConvergenceLevel const* a, ConvergenceLevel const* b) { return a->error < b->error; });
+    auto const best = std::ranges::min_element(
+        all, [](ConvergenceLevel const* a, ConvergenceLevel const* b) { return a->error < b->error; });
     auto last = all.begin();  // until a hair is left
     while (last != best && falls(**last, **(last + 1)))
         ++last;

@@ -1,19 +1,158 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A flank as the thesis makes it: a grid in phi, iteration, a polynomial fit.
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "conjugate/plane/plane_motion.hpp"
 #include "convergence_series.hpp"
-#include "grid_fit.hpp"
+#include "hdconj/accuracy.hpp"
 #include "hdconj/envelope/contact.hpp"
 #include "hdconj/motion/first_order_motion.hpp"
+#include "numeric/least_squares.hpp"
 #include "study_bench.hpp"
+#include "study_drive.hpp"
 
 namespace hdconj::accuracy {
 namespace {
+
+/// Distance of profile parameters at which an end of a flank counts as met.
+constexpr double rounding_of_t = 0x1p-30;
+
+/// Distance of profile parameters of one contact: well above the remainder of the secant rule, well below the distance
+/// of two contacts.
+constexpr double same_contact = 0x1p-20;
+
+/// Local point and unit normal of a piece.
+struct OnPiece
+{
+    Vec2 x, n;
+};
+
+/// @param t  profile parameter, 0 ... 1 on the piece
+OnPiece on_piece(profile::PieceShape const& shape, double t)
+{
+    if (auto const* arc = std::get_if<profile::ArcPiece>(&shape)) {
+        Vec2 const n = direction(arc->from + t * (arc->to - arc->from));
+        return {arc->centre + arc->radius * n, n};
+    }
+    if (auto const* line = std::get_if<profile::LinePiece>(&shape))
+        return {line->a + t * (line->b - line->a), line->normal()};
+    auto const& curve = std::get<profile::CurvePiece>(shape);
+    return {curve.point(t), left_of(curve.first(t)).normalized()};
+}
+
+/// Points of a flank at the steps of a grid.
+struct GridPoints
+{
+    std::vector<Vec2> points;
+    std::vector<int> steps;  ///< of the grid that each of them is of
+    int missed = 0;  ///< steps without a point: the motion has no contact on the flank, or the iteration left the
+                     ///< flank, did not converge or found another contact
+    int extra = 0;   ///< steps at which it found another contact
+};
+
+/// The method of the thesis; it counts its evaluations of the meshing condition.
+class GridAndFit
+{
+  public:
+    std::size_t evaluations = 0;
+
+    /// Contacts at equal steps of the motion's parameter. The secant rule finds each profile parameter from the one
+    /// before. A converged value on the flank is compared with the entry of @p contacts, NaN where there is no contact.
+    GridPoints points(StudyDrive const& drive, motion::AnyMotion const& motion, conjugate::BoundaryPiece const& piece,
+                      double from, double to, std::vector<double> const& contacts)
+    {
+        auto const count = static_cast<int>(contacts.size());
+        envelope::ContactArc const& arc = drive.arc(piece);
+        profile::PieceShape const& shape = drive.shape_of(piece);
+        double t = piece.begin == arc.u_begin ? arc.t_begin
+                   : piece.begin == arc.u_end ? arc.t_end
+                                              : drive.envelope(piece).point(arc, piece.begin).t;
+        GridPoints result;
+        for (int i = 0; i < count; ++i) {
+            double const s = from + (to - from) * i / (count - 1);
+            double const found = secant_root(shape, motion.rates(s).twist, t),
+                         right = contacts[static_cast<std::size_t>(i)];
+            // The method sees by itself that it has left the flank; the next step begins with the last kept value.
+            bool const kept = found >= -rounding_of_t && found <= 1 + rounding_of_t;
+            if (kept)
+                t = found;
+            if (!kept || !(std::abs(found - right) <= same_contact)) {
+                ++result.missed;
+                result.extra += kept;
+                continue;
+            }
+            OnPiece const on = on_piece(shape, t);
+            result.points.push_back(drive.placed(piece, motion.pose(s)(on.x + drive.offset * on.n)));
+            result.steps.push_back(i);
+        }
+        return result;
+    }
+
+  private:
+    /// NaN where it does not converge.
+    [[nodiscard]] double secant_root(profile::PieceShape const& shape, PlanarVelocity const& twist, double t)
+    {
+        auto const f = [&](double at) {
+            ++evaluations;
+            OnPiece const on = on_piece(shape, at);
+            return on.n.dot(twist(on.x));
+        };
+        constexpr double first_step = 0x1p-10, enough = 0x1p-40;
+        double a = t - first_step, fa = f(a), b = t;
+        constexpr int budget = 30;
+        for (int k = 0; k < budget; ++k) {
+            double const fb = f(b);
+            if (fb == 0)
+                return b;
+            if (fb == fa)
+                break;
+            double const next = b - fb * (b - a) / (fb - fa);
+            a = b;
+            fa = fb;
+            b = next;
+            if (std::abs(b - a) < enough)
+                return b;
+        }
+        return std::abs(b - a) < rounding_of_t ? b : not_measured;  // where rounding has the last word
+    }
+};
+
+/// Fits a polynomial of @p degree by least squares, x against y or y against x, whichever of them varies more as
+/// the free variable. @returns 401 points of its curve
+std::vector<Vec2> fitted_curve(std::vector<Vec2> const& points, int degree)
+{
+    Vec2 const a = points.front(), b = points.back();
+    bool const steep = std::abs(b.y() - a.y()) > std::abs(b.x() - a.x());
+    auto const free = [&](Vec2 const& p) { return steep ? p.y() : p.x(); };
+    auto const bound = [&](Vec2 const& p) { return steep ? p.x() : p.y(); };
+    double const middle = 0.5 * (free(a) + free(b)), half = 0.5 * (free(b) - free(a));
+    Eigen::MatrixXd powers(static_cast<Eigen::Index>(points.size()), degree + 1);
+    Eigen::VectorXd right(static_cast<Eigen::Index>(points.size()));
+    for (Eigen::Index i = 0; i < right.size(); ++i) {
+        Vec2 const& p = points[static_cast<std::size_t>(i)];
+        double const s = (free(p) - middle) / half;
+        right[i] = bound(p);
+        double power = 1;
+        for (Eigen::Index k = 0; k <= degree; ++k, power *= s)
+            powers(i, k) = power;
+    }
+    Eigen::VectorXd const c = numeric::LeastSquares(powers).solve(right);
+    constexpr int places = 400;
+    std::vector<Vec2> curve;
+    for (int i = 0; i <= places; ++i) {
+        double const s = -1 + 2.0 * i / places;
+        double value = 0;
+        for (Eigen::Index k = c.size(); k-- > 0;)
+            value = value * s + c[k];
+        double const at = middle + half * s;
+        curve.push_back(steep ? Vec2(value, at) : Vec2(at, value));
+    }
+    return curve;
+}
 
 /// Of the contacts of a piece at an instant, the one nearest to @p wanted; not_measured where none is within its ends.
 double nearest_contact(profile::PieceShape const& shape, motion::MotionRates const& rates, double wanted)
@@ -89,12 +228,12 @@ void fit_series(StudyBench const& bench, ReferenceCurve const& truth, conjugate:
         bool const enough = static_cast<int>(grid.points.size()) > degree;
         record.value = degree;
         record.error = record.hausdorff =
-            enough ? truth.largest_distance(GridAndFit::fitted(grid.points, degree)) : not_measured;
+            enough ? truth.largest_distance(fitted_curve(grid.points, degree)) : not_measured;
         take(grid, thesis);
         bench.measure(record, [&] {
             GridPoints const again = points(thesis, few);
             if (enough)
-                (void)GridAndFit::fitted(again.points, degree);
+                (void)fitted_curve(again.points, degree);
         });
     }
     record.method = std::string("points joined, ") + fitted.model;

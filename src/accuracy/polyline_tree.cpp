@@ -8,11 +8,8 @@
 #include <utility>
 
 namespace hdconj::accuracy {
-namespace {
 
 constexpr std::size_t leaf = 8;  // segments
-
-}  // namespace
 
 SegmentFoot segment_foot(Vec2 const& p, Vec2 const& a, Vec2 const& b)
 {

@@ -6,41 +6,15 @@
 #include <utility>
 #include <variant>
 
+#include "base/option_faults.hpp"
 #include "hdconj/base/parallel.hpp"
+#include "hdconj/base/suggest.hpp"
 #include "hdconj/check.hpp"
 #include "hdconj/error.hpp"
+#include "hdconj/scene/schema.hpp"
 #include "hdconj/solve.hpp"
 
 namespace hdconj::accuracy {
-
-Scene plain(Scene const& scene, std::vector<StudyNote>& notes)
-{
-    Scene plain = scene;
-    auto const leave_out = [&](bool there, char const* what) {
-        if (there)
-            notes.push_back(
-                {"",
-                 std::string(what) +
-                     " left out: the studies are of one plane, and contact-area and load have slices of their own"});
-    };
-    leave_out(scene.tilt.has_value(), "[tilt]");
-    leave_out(scene.slices.has_value(), "[slices]");
-    if (scene.coning)
-        notes.push_back({"",
-                         "[coning] left out: outlines are measured in the middle plane of a ring, from which an "
-                         "elastic cup differs slightly; contact-area has the coning, load the elastic cup instead"});
-    plain.tilt.reset();
-    plain.slices.reset();
-    if (scene.circular_spline.root_clearance > 0)
-        notes.push_back({"", "root_clearance left out: it is the difference of two given lengths"});
-    plain.circular_spline.root_clearance = 0;
-    if (scene.circular_spline.automatic_backlash)
-        notes.push_back({"", "backlash_offset = \"auto\" left out: measured without side clearance"});
-    plain.circular_spline.automatic_backlash = false;
-    plain.wedm.reset();
-    return plain;
-}
-
 namespace {
 
 /// Design @p number of the sample about @p scene: an additive recurrence in as many dimensions as there are numbers to
@@ -84,14 +58,157 @@ Measured measured(Scene const& scene, int points, int positions)
 
 }  // namespace
 
+std::vector<Study> const& studies()
+{
+    constexpr char const* of_flexspline = "it needs the flexspline's tooth given";
+    static std::vector<Study> const all = {
+        {{"tolerance", "what each digit of solver.tolerance costs"}, study_tolerance},
+        {{"sampling", "equal steps of u against adaptive steps"}, study_sampling},
+        {{"motion-model", "first-order and material motion against exact motion"}, study_motion_model},
+        {{"polynomial-fit", "polynomial fitted to contacts on a grid in phi: best degree and its error"}, study_fit},
+        {.kind = {"union", "brute-force union of tooth positions"},
+         .outline = study_union,
+         .forward_only = "it unites positions of a flexspline tooth"},
+        {{"roots", "closed form, certified roots and a plain scan"}, study_roots},
+        {{"number-type", "float, double, long double"}, study_precision},
+        {.kind = {"contact-area", "slices and flank points for the contact area"},
+         .axial = study_contact_area,
+         .forward_only = of_flexspline,
+         .lacks = lacks_for_contact},
+        {.kind = {"load", "harmonics, slices, points, circles under torque"},
+         .axial = study_load_twist,
+         .forward_only = of_flexspline,
+         .lacks = lacks_for_load},
+        {{"threads", "speed with more threads; the result keeps every bit"}, study_threads}};
+    return all;
+}
+
+bool named(AccuracyOptions const& options, Study const& study)
+{
+    return std::find(options.studies.begin(), options.studies.end(), study.kind.name) != options.studies.end();
+}
+
+std::vector<Study> wanted(Scene const& scene, AccuracyOptions const& options, std::vector<StudyNote>& notes)
+{
+    std::vector<Study> chosen;
+    for (Study const& study : studies()) {
+        if (!options.studies.empty() && !named(options, study))
+            continue;
+        if (scene.is_reverse() && study.forward_only != nullptr)
+            notes.push_back({std::string(study.kind.name), std::string("left out, ") + study.forward_only});
+        else
+            chosen.push_back(study);
+    }
+    return chosen;
+}
+
+Faults nothing_measured(std::vector<Study> const& chosen, std::vector<StudyNote> const& notes)
+{
+    Faults faults;
+    for (Study const& study : chosen) {
+        std::string const name(study.kind.name);
+        std::string why = "nothing could be measured";
+        for (StudyNote const& note : notes)
+            if (note.study == name)
+                why += "; " + note.words;
+        faults.push_back({"--study", 0, name, why, "change the scene, or ask for another study"});
+    }
+    return faults;
+}
+
+}  // namespace hdconj::accuracy
+
+namespace hdconj {
+
+std::vector<StudyKind> const& study_kinds()
+{
+    static std::vector<StudyKind> const kinds = [] {
+        std::vector<StudyKind> all;
+        for (accuracy::Study const& study : accuracy::studies())
+            all.push_back(study.kind);
+        return all;
+    }();
+    return kinds;
+}
+
+Faults check_studies(AccuracyOptions const& options)
+{
+    Faults faults;
+    require_whole(faults, "--sample", options.sample, 0, scene::bounds::most_designs, "one such as 64");
+    require_whole(faults, "--repeats", options.repeats, 1, scene::bounds::most_repeats, "one such as 5");
+    std::vector<std::string_view> names;
+    for (StudyKind const& kind : study_kinds())
+        names.push_back(kind.name);
+    for (std::string const& name : options.studies) {
+        if (std::find(names.begin(), names.end(), name) != names.end())
+            continue;
+        std::string known;
+        for (std::string_view const one : names)
+            known += (known.empty() ? "" : ", ") + std::string(one);
+        auto const meant = nearest(name, names);
+        faults.push_back({"--study", 0, name, "there is no such study",
+                          (meant ? "write " + std::string(*meant) : "write one of them") + "; known: " + known});
+    }
+    return faults;
+}
+
+Faults check_accuracy(Scene const& scene, AccuracyOptions const& options)
+{
+    Faults faults = check_studies(options);
+    for (accuracy::Study const& study : accuracy::studies()) {
+        if (!accuracy::named(options, study))
+            continue;
+        std::string const name(study.kind.name);
+        if (scene.is_reverse() && study.forward_only != nullptr)
+            faults.push_back(
+                {"--study", 0, name,
+                 "the circular spline's tooth is given, and of this study " + std::string(study.forward_only),
+                 "leave it out, or give the flexspline's profile"});
+        else if (std::string const lacking = study.lacks == nullptr ? "" : study.lacks(scene); !lacking.empty())
+            faults.push_back({"--study", 0, name, lacking, "leave it out, or write these keys into the scene"});
+    }
+    return faults;
+}
+
+}  // namespace hdconj
+
+namespace hdconj::accuracy {
+
+Scene plain(Scene const& scene, std::vector<StudyNote>& notes)
+{
+    Scene plain = scene;
+    auto const leave_out = [&](bool there, char const* what) {
+        if (there)
+            notes.push_back(
+                {"",
+                 std::string(what) +
+                     " left out: the studies are of one plane, and contact-area and load have slices of their own"});
+    };
+    leave_out(scene.tilt.has_value(), "[tilt]");
+    leave_out(scene.slices.has_value(), "[slices]");
+    if (scene.coning)
+        notes.push_back({"",
+                         "[coning] left out: outlines are measured in the middle plane of a ring, from which an "
+                         "elastic cup differs slightly; contact-area has the coning, load the elastic cup instead"});
+    plain.tilt.reset();
+    plain.slices.reset();
+    if (scene.circular_spline.root_clearance > 0)
+        notes.push_back({"", "root_clearance left out: it is the difference of two given lengths"});
+    plain.circular_spline.root_clearance = 0;
+    if (scene.circular_spline.automatic_backlash)
+        notes.push_back({"", "backlash_offset = \"auto\" left out: measured without side clearance"});
+    plain.circular_spline.automatic_backlash = false;
+    plain.wedm.reset();
+    return plain;
+}
+
 Case case_of(Scene const& scene, std::vector<Study> const& chosen, int points, int positions)
 {
     Case made{scene, {}, {}};
     if (std::none_of(chosen.begin(), chosen.end(), has_outline))
         return made;
     made.own = measured(scene, points, positions);
-    bool const compared =
-        std::any_of(chosen.begin(), chosen.end(), [](Study const& s) { return s.outline == study_motion_model; });
+    bool const compared = std::ranges::any_of(chosen, [](Study const& s) { return s.outline == study_motion_model; });
     if (compared && scene.solver.kinematics != Kinematics::exact) {
         Scene exact = scene;
         exact.solver.kinematics = Kinematics::exact;

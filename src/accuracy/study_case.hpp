@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Drives as the studies take them: the scene's own, and designs about it.
+// The studies, and drives as they take them: the scene's own, and designs about it.
 #pragma once
 
 #include <algorithm>
@@ -9,9 +9,39 @@
 #include <string>
 #include <vector>
 
-#include "study_list.hpp"
+#include "hdconj/accuracy.hpp"
+#include "study_bench.hpp"
 
 namespace hdconj::accuracy {
+
+struct Study
+{
+    StudyKind kind;
+    void (*outline)(StudyBench const&) = nullptr;  ///< measured against the reference in 50 digits; null: see axial
+    void (*axial)(StudyRun const&) = nullptr;      ///< brings slices, and what it is measured against, of its own
+    char const* forward_only = nullptr;            ///< why the reverse problem has no such study; null where it has
+    std::string (*lacks)(Scene const&) = nullptr;  ///< what a scene gives too little of; null: nothing is needed
+};
+
+/// In the order in which they are run.
+[[nodiscard]] std::vector<Study> const& studies();
+
+/// Whether it is measured against the reference in 50 digits.
+[[nodiscard]] inline bool has_outline(Study const& study)
+{
+    return study.outline != nullptr;
+}
+
+/// Whether @p options ask for it by name.
+[[nodiscard]] bool named(AccuracyOptions const& options, Study const& study);
+
+/// The studies that are run; of those that nobody has asked for by name, those that the scene has. What is left out is
+/// said in @p notes.
+[[nodiscard]] std::vector<Study> wanted(Scene const& scene, AccuracyOptions const& options,
+                                        std::vector<StudyNote>& notes);
+
+/// One fault for each study that has been left out, where all of them have been.
+[[nodiscard]] Faults nothing_measured(std::vector<Study> const& chosen, std::vector<StudyNote> const& notes);
 
 /// The drive that is measured: nothing along the axis, nothing cut away that no tooth has touched. What is left out is
 /// said in @p notes.

@@ -9,7 +9,6 @@
 #include <string>
 #include <utility>
 
-#include "accuracy/reference/reference_contact.hpp"
 #include "conjugate/plane/plane_motion.hpp"
 #include "drive/drive.hpp"
 #include "hdconj/envelope/avoid_stationary_centres.hpp"

@@ -67,8 +67,7 @@ struct StudyDrive
     /// Index into `motions` of the tooth @p number of a branch.
     [[nodiscard]] std::size_t index_of(int number) const
     {
-        return reverse() ? static_cast<std::size_t>(std::find(numbers.begin(), numbers.end(), number) - numbers.begin())
-                         : 0;
+        return reverse() ? static_cast<std::size_t>(std::ranges::find(numbers, number) - numbers.begin()) : 0;
     }
     /// The given tooth by the reference's path, for each of `motions`.
     template <class T>

@@ -43,29 +43,6 @@ void tolerance_series(StudyBench const& bench, std::string const& study, std::st
     }
 }
 
-}  // namespace
-
-void study_tolerance(StudyBench const& bench)
-{
-    constexpr int levels = 9;
-    tolerance_series(bench, "tolerance", "solve", bench.drive.scene.solver.kinematics, levels);
-}
-
-void study_motion_model(StudyBench const& bench)
-{
-    constexpr int levels = 5;
-    tolerance_series(bench, "motion-model", "exact", Kinematics::exact, levels);
-    tolerance_series(bench, "motion-model", "first order", Kinematics::first_order, levels);
-    if (!bench.drive.shape.breaks().empty())
-        return bench.note(
-            "motion-model",
-            "material left out: it is a Fourier series, which cannot follow the jumps in the third derivative of this "
-            "wave generator's shape");
-    tolerance_series(bench, "motion-model", "material", Kinematics::material, levels);
-}
-
-namespace {
-
 /// solve() on so many threads. A point that differs in any bit from that of one thread is an extra one.
 StudyRecord on_threads(StudyBench const& bench, Scene const& scene, std::vector<Vec2>& single)
 {
@@ -89,6 +66,25 @@ StudyRecord on_threads(StudyBench const& bench, Scene const& scene, std::vector<
 }
 
 }  // namespace
+
+void study_tolerance(StudyBench const& bench)
+{
+    constexpr int levels = 9;
+    tolerance_series(bench, "tolerance", "solve", bench.drive.scene.solver.kinematics, levels);
+}
+
+void study_motion_model(StudyBench const& bench)
+{
+    constexpr int levels = 5;
+    tolerance_series(bench, "motion-model", "exact", Kinematics::exact, levels);
+    tolerance_series(bench, "motion-model", "first order", Kinematics::first_order, levels);
+    if (!bench.drive.shape.breaks().empty())
+        return bench.note(
+            "motion-model",
+            "material left out: it is a Fourier series, which cannot follow the jumps in the third derivative of this "
+            "wave generator's shape");
+    tolerance_series(bench, "motion-model", "material", Kinematics::material, levels);
+}
 
 void study_threads(StudyBench const& bench)
 {
