@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
+#include "boundary_track.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/error.hpp"
-#include "outline_unit.hpp"
 
 namespace hdconj::conjugate {
 namespace {
@@ -54,8 +54,7 @@ HalfIntervals intervals_of(std::vector<ToothSpaceBoundary const*> const& slices,
     if (!right)
         std::reverse(stretches.begin(), stretches.end());
     HalfIntervals found;
-    auto const flank =
-        std::find_if(stretches.begin(), stretches.end(), [](BoundaryStretch const& s) { return !around_bottom(s); });
+    auto const flank = std::ranges::find_if(stretches, [](BoundaryStretch const& s) { return !around_bottom(s); });
     auto const land = std::find_if(stretches.begin(), stretches.end(),
                                    [](BoundaryStretch const& s) { return s.kind == OutlineKind::land; });
     if (flank == stretches.end() || land == stretches.end() || flank >= land)
@@ -133,8 +132,7 @@ struct Units
 Units units_of(std::vector<ToothSpaceBoundary const*> const& slices, double chord, bool rulings, int threads)
 {
     Units all;
-    all.symmetric =
-        std::all_of(slices.begin(), slices.end(), [](ToothSpaceBoundary const* curve) { return curve->symmetric(); });
+    all.symmetric = std::ranges::all_of(slices, [](ToothSpaceBoundary const* curve) { return curve->symmetric(); });
     for (bool const right : {false, true}) {
         if (!right && all.symmetric)
             continue;

@@ -50,8 +50,7 @@ void SweptPolygons::join_ends(double same)
     std::vector<Vec2> seen;
     for (auto& polygon : polygons_) {
         for (Vec2* p : {&polygon.front(), &polygon.back()}) {
-            auto const known =
-                std::find_if(seen.begin(), seen.end(), [&](Vec2 const& q) { return (*p - q).norm() <= same; });
+            auto const known = std::ranges::find_if(seen, [&](Vec2 const& q) { return (*p - q).norm() <= same; });
             if (known == seen.end())
                 seen.push_back(*p);
             else

@@ -184,9 +184,8 @@ template <class Clearance>
             at[i] = points[chosen[first + i]];
         clearance(std::span(at).first(count), nullptr, std::span(minima).subspan(first, count));
     });
-    auto const worst = std::min_element(
-        minima.begin(), minima.end(),
-        [](distance::TurnMinimum const& a, distance::TurnMinimum const& b) { return a.distance < b.distance; });
+    auto const worst = std::ranges::min_element(
+        minima, [](distance::TurnMinimum const& a, distance::TurnMinimum const& b) { return a.distance < b.distance; });
     return {worst->distance, points[chosen[static_cast<std::size_t>(worst - minima.begin())]],
             motion.angles(worst->u).phi, minima.size(), clearance.positions()};
 }

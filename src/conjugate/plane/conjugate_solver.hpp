@@ -12,7 +12,7 @@
 #include "drive/stage_clock.hpp"
 #include "hdconj/conjugate/tooth_space.hpp"
 #include "hdconj/envelope/any_envelope.hpp"
-#include "tooth_outline.hpp"
+#include "records.hpp"
 
 namespace hdconj::conjugate {
 

@@ -14,7 +14,6 @@
 #include "hdconj/base/stop.hpp"
 #include "hdconj/envelope/any_envelope.hpp"
 #include "records.hpp"
-#include "tooth_outline.hpp"
 
 namespace hdconj::conjugate {
 
