@@ -10,11 +10,10 @@
 #include "conjugate_solver.hpp"
 #include "drive/drive.hpp"
 #include "flank_contact.hpp"
-#include "flexspline_outline.hpp"
-#include "given_spline.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "outline_records.hpp"
 #include "records_beside.hpp"
+#include "reverse_outlines.hpp"
 
 namespace hdconj::conjugate {
 namespace {

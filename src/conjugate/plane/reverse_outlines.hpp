@@ -1,14 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The outline of the flexspline tooth that the circular spline's teeth leave.
+// Outlines where the circular spline's tooth is given: of that one, and of the flexspline tooth that it leaves.
 #pragma once
 
 #include <vector>
 
+#include "centred_outline.hpp"
 #include "conjugate/outline.hpp"
 #include "hdconj/conjugate/tooth_body.hpp"
 #include "hdconj/motion/any_motion.hpp"
+#include "hdconj/solution.hpp"
 
 namespace hdconj::conjugate {
+
+/// One pitch of the circular spline with the given tooth: from the middle of one tooth's tip across the space to that
+/// of the next. Between the roots the bottom of the space is a circle about the drive's axis.
+/// @param radius  of the origin of the tooth's frame
+/// @param chord   largest chord error [mm]
+[[nodiscard]] CentredOutline given_spline(profile::Profile const& tooth, double radius, double pitch, double chord);
+
+/// Writes it into @p out as its one slice, with its landmarks and measures.
+void publish_given_spline(Solution& out, profile::Profile const& tooth, CentredOutline const& spline, double pitch);
 
 using Swept = SweptTooth<motion::AnyMotion>;  ///< of a circular-spline tooth as the flexspline tooth sees it
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "given_spline.hpp"
+#include "reverse_outlines.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
 
+#include "hdconj/base/tolerance.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/motion/inverse_motion.hpp"
 #include "outline_records.hpp"
@@ -20,9 +24,8 @@ struct Apex
 
 Apex apex_of(profile::Profile const& tooth)
 {
-    Apex apex;
+    std::optional<Apex> apex;
     double highest = 0;
-    bool found = false;
     for (std::size_t i = 0; i < tooth.pieces.size(); ++i) {
         profile::PieceShape const& shape = tooth.pieces[i].shape;
         if (tooth.pieces[i].corner)
@@ -36,30 +39,23 @@ Apex apex_of(profile::Profile const& tooth)
             if (!root.found)
                 continue;
             double const y = profile::point_at(shape, root.x).y();
-            if (!found || y > highest) {
+            if (!apex || y > highest) {
                 apex = {i, root.x};
                 highest = y;
-                found = true;
             }
         }
     }
-    if (!found)
+    if (!apex)
         throw NumericalError(ErrorCode::no_outline, "outline", "tooth of the circular spline",
                              "does not cross its own centre line");
-    return apex;
+    return *apex;
 }
 
 /// A flank in the tooth's frame, from the root end to the apex.
-struct Flank
-{
-    std::vector<Vec2> points;
-    std::vector<OutlineStretch> stretches;
-};
-
 /// @param side  1: the right flank (x > 0), -1: the left one
-Flank flank_of(profile::Profile const& tooth, Apex const& apex, int side, double chord)
+Outline flank_of(profile::Profile const& tooth, Apex const& apex, int side, double chord)
 {
-    Flank flank;
+    Outline flank;
     std::ptrdiff_t const root = side > 0 ? static_cast<std::ptrdiff_t>(tooth.pieces.size()) - 1 : 0;
     for (auto i = root;; i -= side) {
         auto const index = static_cast<std::size_t>(i);
@@ -94,25 +90,21 @@ Outline half_of(profile::Profile const& tooth, Apex const& apex, int k, double r
                 double pitch, double chord)
 {
     Pose const seat = motion::circular_spline_seat(k, pitch, radius);
-    Flank const flank = flank_of(tooth, apex, k == 1 ? 1 : -1, chord);
-    Vec2 const root = seat(flank.points.front());
+    Outline flank = flank_of(tooth, apex, k == 1 ? 1 : -1, chord);
+    for (Vec2& p : flank.points)
+        p = seat(p);
+    Vec2 const root = flank.points.front();
     double const to = std::atan2(root.x(), root.y());
     double const to_radius = root.norm();
-    auto const count = static_cast<int>(land_chords(to_radius, 0, to, chord));
-    Outline half;
-    for (int i = 0; i < count; ++i) {
-        double const share = static_cast<double>(i) / count;
+    std::size_t const count = land_chords(to_radius, 0, to, chord);
+    Outline half{{}, {{OutlineKind::root, -1, 0, count}}, chord, 8 * unit_roundoff * radius};
+    for (std::size_t i = 0; i < count; ++i) {
+        double const share = static_cast<double>(i) / static_cast<double>(count);
         double const r = middle_radius + share * (to_radius - middle_radius);
         half.points.emplace_back(r * std::sin(share * to), r * std::cos(share * to));
     }
-    auto const first = static_cast<std::size_t>(count);
-    half.stretches.push_back({OutlineKind::root, -1, 0, first});
-    for (Vec2 const& p : flank.points)
-        half.points.push_back(seat(p));
-    for (OutlineStretch const& s : flank.stretches)
-        half.stretches.push_back({s.kind, s.segment, s.first + first, s.last + first});
-    half.chord = chord;
-    half.error = 8 * unit_roundoff * radius;
+    half.points.push_back(root);
+    append_outline(half, flank);
     return half;
 }
 
@@ -124,6 +116,11 @@ Outline reversed(Outline half)
     for (OutlineStretch& s : half.stretches)
         s = {s.kind, s.segment, last - s.last, last - s.first};
     return half;
+}
+
+void append_line(Outline& outline, OutlineKind kind, Vec2 const& from, Vec2 const& to)
+{
+    append_outline(outline, {{from, to}, {{kind, -1, 0, 1}}});
 }
 
 }  // namespace
@@ -166,6 +163,58 @@ void publish_given_spline(Solution& out, profile::Profile const& tooth, CentredO
     for (std::size_t index : {left_land, bottom->first, spline.middle, bottom->last, right_land})
         cs.landmarks.push_back(static_cast<int>(index));
     measure_space(outline, left_land, right_land, pitch, out.geometry, out.error);
+}
+
+Outline FlexsplineOutline::flank(std::vector<BoundaryPiece> const& pieces) const
+{
+    Outline flank;
+    for (auto from = pieces.begin(); from != pieces.end();) {
+        auto const to =
+            std::find_if(from, pieces.end(), [from](BoundaryPiece const& p) { return p.copy != from->copy; });
+        Swept const& tooth = teeth_[static_cast<std::size_t>(from->copy)];
+        std::vector<BoundaryPiece> own(from, to);
+        for (BoundaryPiece& piece : own)
+            piece.copy = 0;
+        append_outline(flank, sample_outline(tooth.envelope, tooth.arcs, own, 0, 0, tolerance_.length, threads_));
+        from = to;
+    }
+    return flank;
+}
+
+Outline FlexsplineOutline::operator()(ToothBody const& body) const
+{
+    Outline right = flank(body.right);
+    right.points.front().y() = limits_.tip;
+    std::vector<BoundaryPiece> back(body.left.rbegin(), body.left.rend());
+    for (BoundaryPiece& piece : back)
+        std::swap(piece.begin, piece.end);
+    Outline left = symmetric_ ? mirrored(right, given_) : flank(back);
+    left.points.back().y() = limits_.tip;
+    Vec2 const left_foot = left.points.front();
+    Vec2 const right_foot = right.points.back();
+    for (Vec2 const& foot : {left_foot, right_foot}) {
+        if (!(foot.y() > limits_.root))
+            throw NumericalError(
+                ErrorCode::interference, "region", "root of the flexspline tooth",
+                "the circular spline's tips reach " + std::to_string(limits_.root - foot.y()) + " mm below it",
+                "write a larger flexspline.dedendum or a smaller circular_spline.profile.addendum");
+    }
+    Outline tooth;
+    append_line(tooth, OutlineKind::root_wall, root_below(left_foot), left_foot);
+    append_outline(tooth, left);
+    append_line(tooth, OutlineKind::land, tooth.points.back(), right.points.front());
+    append_outline(tooth, right);
+    append_line(tooth, OutlineKind::root_wall, right_foot, root_below(right_foot));
+    // the points are small differences of lengths of this size
+    tooth.error += 8 * unit_roundoff * tolerance_.scale;
+    return tooth;
+}
+
+Vec2 FlexsplineOutline::root_below(Vec2 const& foot) const
+{
+    double const depth = foot.y() - limits_.root;
+    double const room = std::max(0.0, limits_.half_width - std::abs(foot.x()));
+    return {foot.x() + std::copysign(std::min(depth, room / 2), foot.x()), limits_.root};
 }
 
 }  // namespace hdconj::conjugate
