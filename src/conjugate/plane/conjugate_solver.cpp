@@ -225,12 +225,8 @@ void ConjugateSolver::publish()
     out_.error.chord = outline.chord;
     out_.error.point = outline.error + final_.space.gap;
     out_.error.clearance = out_.error.point + tolerance_.roundoff();
-    for (std::size_t i = 0; i < branches_.size(); ++i) {
-        std::size_t const before = out_.zones.size();
-        append_zones(base_, branches_[i], i, final_.arcs, final_.space.pieces, out_.zones);
-        for (std::size_t k = before; k < out_.zones.size(); ++k)
-            out_.branches[i].on_boundary = out_.branches[i].on_boundary || out_.zones[k].on_boundary;
-    }
+    for (std::size_t i = 0; i < branches_.size(); ++i)
+        append_zones(base_, branches_[i], i, final_.arcs, final_.space.pieces, out_);
     FlankContactSum touching;
     touching.add(moved_ ? *moved_ : base_, final_.arcs, final_.space.pieces);
     out_.flank_contact = touching.value();

@@ -204,8 +204,9 @@ BranchRecord branch_record(envelope::AnyEnvelope const& envelope, envelope::Bran
 
 void append_zones(envelope::AnyEnvelope const& envelope, envelope::Branch const& branch, std::size_t index,
                   std::vector<envelope::ContactArc> const& boundary_arcs, std::vector<BoundaryPiece> const& pieces,
-                  std::vector<ConjugateZone>& zones)
+                  Solution& out)
 {
+    std::vector<ConjugateZone>& zones = out.zones;
     auto const segment_t = [&](envelope::ContactArc const& arc, double u) {
         profile::ProfilePiece const& piece = envelope.profile().pieces[static_cast<std::size_t>(arc.piece)];
         double const t = u == arc.u_begin ? arc.t_begin : u == arc.u_end ? arc.t_end : envelope.contact(arc, u).t;
@@ -257,6 +258,7 @@ void append_zones(envelope::AnyEnvelope const& envelope, envelope::Branch const&
             zone.phi_error = std::max(begins.phi, ends.phi);
             zone.t_error = std::max(begins.t, ends.t);
             zone.on_boundary = zone.on_boundary || bounds_somewhere(arc, cuts[i], cuts[i + 1], boundary_arcs, pieces);
+            out.branches[index].on_boundary = out.branches[index].on_boundary || zone.on_boundary;
             open = true;
         }
     }

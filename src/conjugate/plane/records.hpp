@@ -43,10 +43,11 @@ class ToothOutline
 [[nodiscard]] BranchRecord branch_record(envelope::AnyEnvelope const& envelope, envelope::Branch const& branch,
                                          double chord, std::size_t& evaluations);
 
-/// The conjugate zones of a branch: stretches on which t is monotone and the envelope stays outer or inner.
+/// Adds the conjugate zones of branch @p index to @p out: stretches on which t is monotone and the envelope stays outer
+/// or inner. The branch is on the boundary where one of them is.
 void append_zones(envelope::AnyEnvelope const& envelope, envelope::Branch const& branch, std::size_t index,
                   std::vector<envelope::ContactArc> const& boundary_arcs, std::vector<BoundaryPiece> const& pieces,
-                  std::vector<ConjugateZone>& zones);
+                  Solution& out);
 
 /// Adds the tooth at 41 instants from one end of the lobe to the other to @p family, as polygons, each moved by -@p
 /// down along y [mm].

@@ -221,13 +221,8 @@ class ReverseJob
         for (std::size_t j = 0; j < traced_.size(); ++j) {
             std::vector<BoundaryPiece> const own = pieces_of(body_, static_cast<int>(j));
             touching.add(final_[j].envelope, final_[j].arcs, own);
-            for (envelope::Branch const& branch : traced_[j].branches) {
-                std::size_t const before = out_.zones.size();
-                append_zones(base_[j].envelope, branch, index, final_[j].arcs, own, out_.zones);
-                for (std::size_t k = before; k < out_.zones.size(); ++k)
-                    out_.branches[index].on_boundary = out_.branches[index].on_boundary || out_.zones[k].on_boundary;
-                ++index;
-            }
+            for (envelope::Branch const& branch : traced_[j].branches)
+                append_zones(base_[j].envelope, branch, index++, final_[j].arcs, own, out_);
         }
         out_.flank_contact = touching.value();
         for (motion::AnyMotion const& motion : motions_)
