@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "flank.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace hdconj::cam {
 namespace {
 

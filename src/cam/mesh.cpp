@@ -2,7 +2,6 @@
 #include "mesh.hpp"
 
 #include <fmt/format.h>
-#include <cmath>
 #include <limits>
 #include <numbers>
 

@@ -2,7 +2,6 @@
 // The boundary of a tooth space as a curve of exact points, whatever motion it came from.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>

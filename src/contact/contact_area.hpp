@@ -93,9 +93,7 @@ struct ContactArea
 ///
 /// Every cell between two points and two slices is cut into four triangles at its middle, and the gap is taken linear
 /// in each, so that the edge of the contact runs through cells. One slice stands for the whole @p width.
-/// @param stride  uses every stride-th point and slice (and the last ones)
 /// Accuracy: second order in the spacing; exact for a gap that is linear in each triangle.
-[[nodiscard]] ContactArea contact_area(GapMap const& map, FlankGrid const& grid, int flank, double limit, double width,
-                                       std::size_t stride = 1);
+[[nodiscard]] ContactArea contact_area(GapMap const& map, FlankGrid const& grid, int flank, double limit, double width);
 
 }  // namespace hdconj::contact

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
 #include "base/text.hpp"
 #include "hdconj/base/parallel.hpp"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
 
 #include "base/text.hpp"
 #include "same_value.hpp"

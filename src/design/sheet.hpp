@@ -2,7 +2,6 @@
 // The dimensions of a drive as rows, and the scene that they make.
 #pragma once
 
-#include <string>
 #include <string_view>
 #include <vector>
 

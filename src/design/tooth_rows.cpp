@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Teeth in modules: Table 2-1 of the thesis for double arcs, proportions of our own for the other families.
-#include <algorithm>
 #include <map>
 
 #include "base/text.hpp"

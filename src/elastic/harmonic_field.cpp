@@ -116,33 +116,6 @@ StressAmplitudes stress_amplitudes(SectionMesh const& mesh, HarmonicField const&
     return at;
 }
 
-Stress stress_of(StressAmplitudes const& at, HarmonicField const& field, double phi)
-{
-    Stress stress = Stress::Zero();
-    for (Index k = 0; k < at.even.cols(); ++k) {
-        double const angle = field.harmonics[static_cast<std::size_t>(k)] * phi;
-        double const c = std::cos(angle), s = std::sin(angle);
-        stress.head<4>() += at.even.col(k).head<4>() * c + at.odd.col(k).head<4>() * s;
-        stress.tail<2>() += at.even.col(k).tail<2>() * s - at.odd.col(k).tail<2>() * c;
-    }
-    return stress;
-}
-
-}  // namespace
-
-Stress stress_at(SectionMesh const& mesh, HarmonicField const& field, SectionPoint const& place, double phi)
-{
-    return stress_of(stress_amplitudes(mesh, field, place), field, phi);
-}
-
-double von_mises(Stress const& s)
-{
-    double const normal = (s[0] - s[1]) * (s[0] - s[1]) + (s[1] - s[2]) * (s[1] - s[2]) + (s[2] - s[0]) * (s[2] - s[0]);
-    return std::sqrt(normal / 2 + 3 * s.tail<3>().squaredNorm());
-}
-
-namespace {
-
 /// Weights of the four reduced Gauss points of an element at (xi, eta).
 std::array<double, 4> gauss_weights(Vec2 const& at)
 {
@@ -151,6 +124,12 @@ std::array<double, 4> gauss_weights(Vec2 const& at)
 }
 
 }  // namespace
+
+double von_mises(Stress const& s)
+{
+    double const normal = (s[0] - s[1]) * (s[0] - s[1]) + (s[1] - s[2]) * (s[1] - s[2]) + (s[2] - s[0]) * (s[2] - s[0]);
+    return std::sqrt(normal / 2 + 3 * s.tail<3>().squaredNorm());
+}
 
 Eigen::MatrixXd recovered_stress(SectionMesh const& mesh, HarmonicField const& field, std::vector<Vec2> const& places,
                                  std::vector<double> const& phi, int threads)

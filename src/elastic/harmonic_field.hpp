@@ -54,10 +54,6 @@ struct PointAmplitudes
 /// The same at a node of the section.
 [[nodiscard]] Eigen::Vector3d node_displacement(HarmonicField const& field, int node, double phi);
 
-/// Stress of first order. Most accurate at the reduced Gauss points, xi and eta = +-1/sqrt(3).
-[[nodiscard]] Stress stress_at(SectionMesh const& mesh, HarmonicField const& field, SectionPoint const& place,
-                               double phi);
-
 /// Equivalent stress of von Mises [MPa].
 [[nodiscard]] double von_mises(Stress const& stress);
 

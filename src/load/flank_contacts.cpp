@@ -7,7 +7,6 @@
 #include <numbers>
 #include <tuple>
 
-#include "flank_curve.hpp"
 #include "gap_minima.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/base/rigid_motion.hpp"

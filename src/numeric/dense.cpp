@@ -6,10 +6,8 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
-#include <cstddef>
 #include <cstring>
 #include <utility>
-#include <vector>
 
 #include "base/loop_targets.hpp"
 #include "hdconj/base/parallel.hpp"

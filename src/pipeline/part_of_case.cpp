@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "part_of_case.hpp"
 
-#include <optional>
-#include <utility>
-
 #include "base/text.hpp"
 #include "drive/elastic_cup.hpp"
 #include "hdconj/error.hpp"

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 

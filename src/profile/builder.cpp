@@ -2,7 +2,6 @@
 #include "hdconj/profile/builder.hpp"
 #include "base/text.hpp"
 
-#include <fmt/format.h>
 #include <cmath>
 #include <numbers>
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-#include <vector>
 
 #include "cleaning.hpp"
 #include "found.hpp"

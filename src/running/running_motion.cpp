@@ -2,7 +2,6 @@
 #include "running_motion.hpp"
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 namespace hdconj::running {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "turning_drive.hpp"
 
-#include <cmath>
 #include <numbers>
 #include <numeric>
 #include <utility>

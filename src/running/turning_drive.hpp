@@ -2,7 +2,6 @@
 // A drive at positions of its wave generator: first contact, and balance under torque.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "contact/study/contact_case.hpp"

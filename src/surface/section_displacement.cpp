@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <map>
 #include <numbers>
-#include <utility>
 
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/numeric/fourier.hpp"

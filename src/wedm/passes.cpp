@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "passes.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 #include <string>
 

@@ -2,7 +2,6 @@
 // From the path along one pitch to the moves of a whole pass, and back.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "faces.hpp"

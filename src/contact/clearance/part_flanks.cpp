@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <optional>
-#include <string>
 #include <utility>
 
 #include "base/text.hpp"

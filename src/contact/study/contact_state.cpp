@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <utility>
 #include <vector>
 
 #include "conjugate/plane/plane_motion.hpp"

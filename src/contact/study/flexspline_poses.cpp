@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The flexspline's teeth in the frame of the drive.
-#include <algorithm>
 #include <numbers>
 
 #include "conjugate/plane/plane_motion.hpp"

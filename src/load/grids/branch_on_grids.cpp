@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "grid_error.hpp"
 #include "hdconj/error.hpp"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "grid_error.hpp"
 #include "load/study/bearing_map.hpp"

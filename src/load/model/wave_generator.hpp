@@ -2,7 +2,6 @@
 // The wave generator of an elastic drive.
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
 #include <vector>
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <functional>
-#include <vector>
 
 #include "contact/study/contact_case.hpp"
 #include "contact/study/contact_context.hpp"

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "contact/study/contact_study_data.hpp"
 #include "hdconj/load.hpp"
