@@ -1,18 +1,102 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/load.hpp"
 
-#include <utility>
+#include <fmt/format.h>
 
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "contact/study/surface_choices.hpp"
+#include "hdconj/error.hpp"
 #include "hdconj/scene/reading.hpp"
+#include "hdconj/units.hpp"
 #include "judgement/judgement.hpp"
+#include "load/grids/grid_error.hpp"
+#include "load/model/cup_shape.hpp"
 #include "load/model/ring_errors.hpp"
-#include "load/study/load_study.hpp"
+#include "load/study/load_case.hpp"
 #include "load/study/loaded_scene.hpp"
 #include "load/study/twist_members.hpp"
 #include "part_of_case.hpp"
 
 namespace hdconj {
 namespace {
+
+/// Who is told of a study while it is computed.
+struct LoadObserver
+{
+    Progress progress;
+    std::function<void(std::string const&)> talk;  ///< first figures in words
+};
+
+void tell_play(LoadObserver const& observer, LoadCase const& known)
+{
+    if (observer.talk)
+        observer.talk(fmt::format("{}{}: side clearance {:.1f} um, backlash {:.2f} arcmin", to_string(known.surface),
+                                  known.tilt != 0 ? fmt::format(" {:.2f} deg", to_deg(known.tilt)) : "",
+                                  per_um * known.backlash_offset, per_arcmin * known.backlash));
+}
+
+double rated_line_load(LoadCase const& each)
+{
+    return each.curve[each.rated].largest_line_load;
+}
+
+void tell_assembly(LoadObserver const& observer, AssembledCup const& cup)
+{
+    if (observer.talk)
+        observer.talk(
+            fmt::format("assembled: wave generator {:.0f} N, coning {:.3f} and {:.3f} deg at the major and minor axis, "
+                        "cup {:.0f} MPa",
+                        cup.wave_generator_force, to_deg(std::atan(cup.coning_major)),
+                        to_deg(std::atan(cup.coning_minor)), cup.largest_stress));
+}
+
+/// Adds every case that scene and options ask for to @p study, names those that are missing, and draws the cup of the
+/// case shown.
+/// @throws NumericalError of the first case where none can be computed
+void add_cases(contact::ContactContext const& context, load::DriveGrids const& drives, LoadOptions const& options,
+               LoadObserver const& observer, LoadStudy& study)
+{
+    std::vector<surface::SurfaceSpec> const surfaces =
+        contact::surface_choices(context.scene, load::contact_options(options));
+    load::LoadingPath const torques = load::loading_path(context.scene, options);
+    study.missing = contact::impossible_choices(load::contact_options(options));
+    std::optional<NumericalError> first;
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        load::CaseObserver const told{[&](LoadCase const& known) { tell_play(observer, known); },
+                                      [&](double fraction) {
+                                          if (observer.progress)
+                                              observer.progress("load", (static_cast<double>(i) + fraction) /
+                                                                            static_cast<double>(surfaces.size()));
+                                      }};
+        try {
+            if (torques.forth.is_stopped())
+                throw NumericalError(ErrorCode::stopped, "load", "torques", "the run was stopped before");
+            load::SolvedCase solved = load::load_case(context, drives, surfaces[i], torques, told);
+            for (auto const& [torque, cause] : solved.result.unsettled)
+                study.missing.push_back(fmt::format("no result at {:g} N m for {}: {}", torque / newton_metre,
+                                                    contact::spec_words(surfaces[i]), cause));
+            study.cases.push_back(std::move(solved.result));
+            std::size_t const last = study.cases.size() - 1;
+            if (last == 0 || rated_line_load(study.cases[last]) < rated_line_load(study.cases[study.written_case])) {
+                study.written_case = last;
+                study.shape = load::cup_shape(drives.fine.model, solved.field, context.threads);
+                study.teeth = std::move(solved.teeth);
+            }
+        } catch (NumericalError const& error) {
+            study.missing.push_back(contact::no_row(surfaces[i], error.what()));
+            if (!first)
+                first.emplace(error);
+        }
+    }
+    if (study.cases.empty())
+        throw NumericalError(*first);
+}
 
 /// What a study says of the drive, beside cup and cases.
 void describe_drive(contact::ContactStudyData& data, load::ElasticDrive const& drive, LoadStudy& study)
@@ -49,7 +133,7 @@ LoadStudy study_load(Scene const& scene, LoadOptions const& options, StageObserv
                      Progress const& progress, std::function<void(std::string const&)> const& talk)
 {
     throw_if_any(scene::value_faults(scene));
-    load::LoadObserver const observer{progress, talk};
+    LoadObserver const observer{progress, talk};
     auto const [data, standard_tip_increase] = load::contact_data(load::checked_scene(scene, options), on_stage);
     contact::ContactContext const& context = *data->context;
     drive::StageClock& clock = data->clock;
@@ -62,7 +146,7 @@ LoadStudy study_load(Scene const& scene, LoadOptions const& options, StageObserv
         study.cup = load::assembled_cup(context, assembled.fine);
         return assembled;
     });
-    load::tell_assembly(observer, study.cup);
+    tell_assembly(observer, study.cup);
     if (data->plan.has(Stage::compliance)) {
         PairGeometry const& g = context.geometry;
         double const side_clearance = context.scene.is_reverse() ? 0 : context.scene.circular_spline.backlash_offset;
@@ -75,7 +159,7 @@ LoadStudy study_load(Scene const& scene, LoadOptions const& options, StageObserv
             drives.coarser = load::coarser_drives(context, coarser_grids);
         if (!drives.coarser.empty())
             load::estimate_errors(context, drives, study.cup);
-        load::add_cases(context, drives, options, observer, study);
+        add_cases(context, drives, options, observer, study);
     });
     describe_drive(*data, drives.fine.model.drive, study);
     study.solution.scene = scene;
