@@ -8,7 +8,7 @@
 
 namespace hdconj::judgement {
 
-/// Table [wedm] of @p scene; without one the thinnest wire that is common.
+/// Table [wedm] of @p scene; without one the usual wire.
 [[nodiscard]] WireRequest wire_of(Scene const& scene);
 
 /// "the wire of [wedm]"

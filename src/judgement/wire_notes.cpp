@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "base/text.hpp"
 #include "checks.hpp"
 #include "limits.hpp"
+#include "scene/usual_wire.hpp"
 #include "wire.hpp"
 
 namespace hdconj::judgement {
@@ -16,8 +18,8 @@ WireRequest wire_of(Scene const& scene)
     if (scene.wedm)
         return *scene.wedm;
     WireRequest wire;
-    wire.wire_diameter = 0.08;  // [mm]; follows the roots of usual drives
-    wire.spark_gap = 0.006;     // [mm]
+    wire.wire_diameter = std::stod(std::string(scene::usual_wire));
+    wire.spark_gap = std::stod(std::string(scene::usual_spark_gap));
     return wire;
 }
 

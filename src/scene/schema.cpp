@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "hdconj/units.hpp"
+#include "usual_wire.hpp"
 
 namespace hdconj::scene {
 namespace {
@@ -667,9 +668,9 @@ std::vector<KeySpec> friction()
 std::vector<KeySpec> wedm()
 {
     return {
-        {required("wire_diameter", Q::positive_length, "of the wire; never assumed"), "0.10",
+        {required("wire_diameter", Q::positive_length, "of the wire; never assumed"), usual_wire,
          to<&Scene::wedm, &WireRequest::wire_diameter>},
-        {required("spark_gap", Q::nonnegative_length, "between wire and part; never assumed"), "0.006",
+        {required("spark_gap", Q::nonnegative_length, "between wire and part; never assumed"), usual_spark_gap,
          to<&Scene::wedm, &WireRequest::spark_gap>},
         {choice<WirePart>("part", "what is cut; the flexspline in two set-ups of half its teeth each", false),
          "\"circular-spline\"", to<&Scene::wedm, &WireRequest::part>, "circular-spline"},

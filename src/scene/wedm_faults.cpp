@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "base/text.hpp"
+#include "usual_wire.hpp"
 #include "validation.hpp"
 
 namespace hdconj::scene {
@@ -21,7 +22,7 @@ void check_wire(SceneReading const& reading, Faults& faults)
     bool const whole = knows(reading, {"wedm.wire_diameter", "wedm.spark_gap"});
     if (whole && wedm.spark_gap > wedm.wire_diameter)
         add_at(faults, "wedm.spark_gap", number_text(wedm.spark_gap), "a gap wider than the wire is no spark gap",
-               "write the gap in mm, such as 0.006");
+               "write the gap in mm, such as " + std::string(usual_spark_gap));
     std::string const rounding = rounding_fault(wedm.decimals, wedm.tolerance);
     if (knows(reading, {"wedm.tolerance", "wedm.decimals"}) && !rounding.empty()) {
         bool const told = reading.scene.given.contains("wedm.decimals");

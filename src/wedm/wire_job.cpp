@@ -11,6 +11,7 @@
 #include "hdconj/scene/reading.hpp"
 #include "hdconj/units.hpp"
 #include "scene/tolerance_limits.hpp"
+#include "scene/usual_wire.hpp"
 
 namespace hdconj::wedm {
 namespace {
@@ -250,7 +251,8 @@ Faults check_wedm(Scene const& scene)
     Faults faults;
     if (!scene.wedm)
         return {{"wedm", 0, "", "this table is missing: it states wire and gap, which are never assumed",
-                 "write the line [wedm] and below it wire_diameter = 0.08 and spark_gap = 0.006"}};
+                 fmt::format("write the line [wedm] and below it wire_diameter = {} and spark_gap = {}",
+                             scene::usual_wire, scene::usual_spark_gap)}};
     wedm::check_wire(scene, faults);
     wedm::check_workpiece(scene, faults);
     wedm::check_path(scene, faults);

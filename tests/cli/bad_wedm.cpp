@@ -34,7 +34,7 @@ std::vector<BadKeys> const& keys()
          "wedm",
          "states wire and gap, which are never assumed",
          "wire_diameter = 0.08 and spark_gap = 0.006"},
-        {{"!wedm.wire_diameter"}, "wedm.wire_diameter", "missing", "wire_diameter = 0.10"},
+        {{"!wedm.wire_diameter"}, "wedm.wire_diameter", "missing", "wire_diameter = 0.08"},
         {{"!wedm.spark_gap"}, "wedm.spark_gap", "missing", "spark_gap = 0.006"},
         {{"wedm.wire_diametre=0.1"}, "wedm.wire_diametre", "unknown key", "wire_diameter"},
         {{"wedm.wire_diameter=0"}, "wedm.wire_diameter", "above 0", "length in mm"},
