@@ -3,22 +3,27 @@
 /// Judgement of a design: the limits, and what a scene alone says.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <span>
 #include <vector>
 
+#include "hdconj/base/tolerance.hpp"
 #include "hdconj/note.hpp"
 #include "hdconj/scene.hpp"
 
 namespace hdconj {
 
-/// A closed interval.
+/// A closed interval. A figure on one of its ends lies inside, whatever rounding made of it.
 struct DesignRange
 {
     double low = -std::numeric_limits<double>::infinity();  ///< smallest value inside
     double high = std::numeric_limits<double>::infinity();  ///< largest value inside
-    /// Whether @p value lies inside.
-    [[nodiscard]] bool contains(double value) const { return value >= low && value <= high; }
+    /// Whether @p value lies inside, or outside by no more than figure_roundoff.
+    [[nodiscard]] bool contains(double value) const
+    {
+        return value >= low - figure_roundoff * std::abs(low) && value <= high + figure_roundoff * std::abs(high);
+    }
 };
 
 /// The limits of one figure.

@@ -127,7 +127,9 @@ std::optional<Note> undercut(Solution const& solution)
     bool const has_arcs =
         scene.flexspline.profile.family == "double-circular-arc" || scene.flexspline.profile.family == "arc-chain";
     // far below it the usual deformation may cost contact: a part of the way is enough
-    if (off)
+    if ((off || below) && usual.words.empty())
+        note->advice = "change the wave generator's shape, or ";
+    else if (off)
         note->advice = "write " + usual.words + ", or ";
     else if (below)
         note->advice = "write a radial deformation between " + short_number(solution.geometry.w0) + " and " +

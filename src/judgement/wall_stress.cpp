@@ -12,6 +12,22 @@ namespace {
 
 constexpr double steel = 206e3;  // [MPa] of 30CrMnSiA, where the scene has no cup
 
+/// A wall that is @p factor times as thick, with its neutral layer and inner surface.
+scene::Advice thinner_wall(Flexspline const& flexspline, double factor)
+{
+    constexpr int digits = 3;
+    constexpr double inside = 0.99;  // so that rounding keeps the layer in the wall
+    std::string const wall = short_number(factor * flexspline.wall, digits);
+    scene::Advice advice;
+    advice.add("flexspline.wall", wall);
+    if (flexspline.neutral_offset != 0)
+        advice.add("flexspline.neutral_offset", short_number(inside * factor * flexspline.neutral_offset, digits));
+    if (flexspline.inner_radius)
+        advice.add("flexspline.inner_radius",
+                   short_number(*flexspline.inner_radius + flexspline.wall - std::stod(wall)));
+    return advice;
+}
+
 }  // namespace
 
 double stress_of_bending(Scene const& scene)
@@ -51,9 +67,9 @@ std::optional<Note> wall_stress(UnsolvedPair const& pair)
         note->set = other.set;
     }
     if (eased > usual || note->set.empty()) {
-        std::string const wall = short_number(0.95 * flexspline.wall * usual / std::min(stress, eased), 3);
-        note->advice += (note->advice.empty() ? "write " : " and ") + ("flexspline.wall = " + wall);
-        note->set.push_back("flexspline.wall=" + wall);
+        scene::Advice const thinner = thinner_wall(flexspline, 0.95 * usual / std::min(stress, eased));
+        note->advice += (note->advice.empty() ? "write " : " and ") + thinner.words;
+        note->set.insert(note->set.end(), thinner.set.begin(), thinner.set.end());
     }
     note->advice += ", or more teeth";
     return note;

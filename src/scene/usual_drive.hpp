@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hdconj/base/tolerance.hpp"
 #include "hdconj/scene.hpp"
 
 namespace hdconj::scene {
@@ -23,10 +24,10 @@ inline constexpr double largest_usual_ratio = 1.2;
 /// kappa = w0 over the usual one.
 [[nodiscard]] double deformation_ratio(Drive const& drive, double w0);
 
-/// Whether such a ratio is usual.
+/// Whether such a ratio is usual; one on a limit is, whatever rounding made of it.
 [[nodiscard]] inline bool is_usual(double ratio)
 {
-    return ratio >= least_usual_ratio && ratio <= largest_usual_ratio;
+    return ratio >= least_usual_ratio * (1 - figure_roundoff) && ratio <= largest_usual_ratio * (1 + figure_roundoff);
 }
 
 /// Advice in words, and the same as arguments of --set.

@@ -9,6 +9,10 @@ namespace hdconj {
 /// Double-precision unit roundoff, 2^-53.
 inline constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
 
+/// Relative rounding of a figure that is computed from dimensions, such as a ratio of two of them: hundreds of times
+/// what its operations make, and far below any dimension's tolerance.
+inline constexpr double figure_roundoff = 0x1p13 * unit_roundoff;
+
 /// How far a computed length may be from the true one.
 ///
 /// Every absolute threshold in the program is derived from one of these, so that a drive scaled by s gives
