@@ -22,6 +22,7 @@ LONGEST_FUNCTION = 60  # lines from its opening to its closing brace
 LONGEST_FILE = 299
 LONGEST_LINE = 120
 LONGEST_MARKDOWN_LINE = 100
+LONG_CODE = 60
 FULLEST_FOLDER = 36  # files
 OURS = ("include", "src", "apps")
 TYPE = re.compile(r"\b(?:class|struct|union|enum(?: class| struct)?)\s+(\w+)\s*(?:final\s*)?(?::[^:]|$)")
@@ -226,7 +227,8 @@ def markdown_lines(root):
                 code = not code
             elif (not code and len(line) > LONGEST_MARKDOWN_LINE and not line.lstrip().startswith(("|", "<", "#", "!["))
                   and " " in line.lstrip(" >*-0123456789.")[:LONGEST_MARKDOWN_LINE]
-                  and not re.search(r"\]\(\S+\)|https?://|`[^`]{60}", line) and not line.startswith("    ")):
+                  and not re.search(r"\]\(\S+\)|https?://", line) and not line.startswith("    ")
+                  and all(len(span) < LONG_CODE for span in re.findall("`([^`]*)`", line))):
                 faults.append(f"{name}:{number}: has {len(line)} columns")
     return faults
 
