@@ -63,10 +63,11 @@ Rows<LoadCase> load_case_figures()
         figure<&T::tip_radius_increase>("tip_radius_increase", um,
                                         "how much wider the tip circle is than the scene gives", {"wider", decimals<2>})
             .formerly("tip_change"),
-        figure<&T::cleared>("cleared", one, "whether side clearance and tip circle are those that clear the teeth"),
+        figure<&T::cleared>("cleared", one,
+                            "whether the teeth of the scene interfere when assembled, and others are computed"),
         depth_of_tips<&T::tips>("tip_interference", "how deep tips interfere along the radius; 0: they pass"),
         depth_of_tips<&T::given_tips>("given_tip_interference",
-                                      "the same with side clearance and tip circle of the scene, where not used"),
+                                      "the same of the teeth of the scene, where others are computed"),
         pair<&T::backlash, &T::backlash_error>("backlash", arcmin, "backlash of the circular spline, without torque",
                                                {"backlash", fixed<2>, significant<2>})
             .without(hdf5_error),  // with the estimates of the case
