@@ -28,7 +28,8 @@ Notes all_of(std::initializer_list<std::optional<Note>> checks)
 
 std::string const tip_circle = "circular_spline.inner_radius=", deformation_key = ".radial_deformation=";
 
-/// What @p set writes for the key that ends with @p key; nothing where it does not write it.
+}  // namespace
+
 std::optional<std::string> value_in(std::vector<std::string> const& set, std::string const& key)
 {
     for (std::string const& each : set)
@@ -36,8 +37,6 @@ std::optional<std::string> value_in(std::vector<std::string> const& set, std::st
             return each.substr(at + key.size());
     return std::nullopt;
 }
-
-}  // namespace
 
 Notes notes_on(UnsolvedPair const& pair)
 {

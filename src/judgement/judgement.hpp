@@ -49,6 +49,10 @@ struct UnsolvedPair
 /// Puts what judge() says of late mesh in @p scene in the place of what @p notes say of it.
 void judge_late_mesh_again(Notes& notes, Scene const& scene);
 
+/// What @p set, arguments of --set, writes for the key that ends with @p key, ".radial_deformation="; nothing where it
+/// does not write it.
+[[nodiscard]] std::optional<std::string> value_in(std::vector<std::string> const& set, std::string const& key);
+
 /// Where several of @p notes on @p pair write the tip circle, each writes the largest of them, as raise_tip_circle()
 /// takes it over.
 void agree_on_tip_circle(UnsolvedPair const& pair, Notes& notes);

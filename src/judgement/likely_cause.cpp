@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 #include "base/text.hpp"
@@ -51,12 +50,6 @@ scene::Advice with_deformation(NumericalError const& error, UnsolvedPair const& 
     return usual;
 }
 
-/// Whether @p setting, "key=value", writes @p key.
-bool writes(std::string_view setting, std::string_view key)
-{
-    return setting.substr(0, setting.find('=')) == key;
-}
-
 }  // namespace
 
 NumericalError with_likely_cause(NumericalError const& error, UnsolvedPair const& pair)
@@ -69,7 +62,7 @@ NumericalError with_likely_cause(NumericalError const& error, UnsolvedPair const
     else {
         cause = "likely because " + cause;
         raise_tip_circle(pair, error.set(), advice.words, advice.set);
-        bool const clears = !error.set().empty() && writes(error.set().front(), "circular_spline.backlash_offset");
+        bool const clears = value_in(error.set(), "circular_spline.backlash_offset=").has_value();
         if (clears)  // any other tip circle or deformation is helped by that
             advice.set.push_back(error.set().front());
         advice.words += error.remedy().empty() ? "" : (clears ? "; " : "; or ") + error.remedy();
