@@ -83,7 +83,11 @@ int run_solve(CommonOptions const& common, SolveArguments const& own)
     add_file(
         work, "picture", "--picture", own.picture,
         [](Solution const& solution, fs::path const& file) { write_picture(solution, file); }, check_picture);
-    work.compute = [&](ProgressLine const& progress) { return solve(scene, progress.stages()); };
+    work.compute = [&](ProgressLine const& progress) {
+        Solution solution = solve(scene, progress.stages());
+        try_advice(solution);
+        return solution;
+    };
     work.text = [&](Solution const& solution, Written const& written) {
         return summary_text(solution, written, own.verbose ? SummaryDetail::zones : SummaryDetail::figures);
     };

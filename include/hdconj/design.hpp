@@ -81,7 +81,7 @@ struct MeshTrial
     double tip_radius = 0;     ///< tip circle of the circular spline [mm]
     double land = 0;           ///< tip land of the circular spline, in modules
     double flank_contact = 0;  ///< teeth of a lobe that touch with a flank at the same time
-    double lost = 0;           ///< angle lost before a cusp over the angle used beside it
+    double lost = 0;           ///< angle that a flank loses by undercut over the angle used
     bool wall_stress = false;  ///< bending stresses the wall more than the safety allows
     std::string refusal;       ///< why it is not taken; empty: it works
 };
@@ -131,7 +131,7 @@ struct Design
 ///
 /// Dimensions follow the rules of the thesis (Tables 2-1, 4-1 to 4-3, (4-1) to (4-5)), each inside its range where the
 /// wishes allow it. Radial deformation and tip circle are searched with solve(): among those with a land on both
-/// members as wide as asked, flanks that lose nothing before a cusp and tips that part, that nearest to m (z_c - z_f)/2
+/// members as wide as asked, flanks that lose little by undercut and tips that part, that nearest to m (z_c - z_f)/2
 /// is taken which has 95 % of the most teeth in flank contact. With a torque the wall is searched with study_load().
 /// The result has the same bits for any number of threads.
 /// @param wishes  what is asked for

@@ -18,7 +18,7 @@ enum class NoteCode
     flank_contact,     ///< teeth of a lobe that touch with a flank at the same time
     land,              ///< tip land of the circular spline
     tip_land,          ///< tip land of the flexspline
-    undercut,          ///< part of a contact that is lost before its cusp
+    undercut,          ///< angle that a flank loses by undercut
     sharp_corner,      ///< corner that no wire cuts
     narrow_space,      ///< tooth space that the wire does not enter
     wall_stress,       ///< bending stress of the ring

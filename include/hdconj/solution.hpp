@@ -93,8 +93,8 @@ struct CircularSplineOutline
 struct FlankEngagement
 {
     double angle = 0;  ///< polar angle over which one flank of a tooth touches, the lesser of both flanks [rad]
-    double used = 0;   ///< polar angle of the contact beside the cusp that loses most; 0: no cusp [rad]
-    double lost = 0;   ///< polar angle from its end to that cusp [rad]
+    double used = 0;   ///< the same of the flank that loses more by undercut, in proportion to what it keeps [rad]
+    double lost = 0;   ///< polar angle over which that flank, in contacts that reach a cusp, is cut away [rad]
 };
 
 /// The finished pair over a full turn of the wave generator.

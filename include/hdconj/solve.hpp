@@ -27,6 +27,14 @@ namespace hdconj {
 /// @throws NumericalError a stage failed; says which, where and why (exit status 1)
 [[nodiscard]] Solution solve(Scene const& scene, StageObserver const& on_stage = {});
 
+/// Tries the advice of the notes on flank-contact and undercut, which solve() gives in words alone: the drive is solved
+/// with other radial deformations, pressure angles and addenda, as coarsely as notes allow. Advice that makes a drive
+/// whose figure is at least a tenth nearer to its usual range, and that brings no new warning, becomes the note's; it
+/// contains what the notes before it advise, so that all can be followed together. Where the values of another note
+/// make no drive, they are completed by what the refusal writes.
+/// @param solution  as solve() returns it
+void try_advice(Solution& solution);
+
 /// The plan of a verb by its name.
 /// @param scene  domain: scenes for which check_scene() finds no fault
 /// @param verb   "solve", "contact", "load" or "run"

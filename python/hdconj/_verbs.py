@@ -43,13 +43,15 @@ def _refuse(path: str, value: object, reason: str, remedy: str) -> NoReturn:
 
 
 @checked
-def solve(scene: SceneLike = None, *, progress: Progress = False) -> _results.Solution:
+def solve(scene: SceneLike = None, *, advice: bool = True, progress: Progress = False) -> _results.Solution:
     """Solve for the circular spline that is conjugate to the flexspline's tooth.
 
     Parameters
     ----------
     scene : Scene, path, mapping or None
         The drive; None: the built-in one.
+    advice : bool
+        Try what the notes on flank contact and undercut advise, by solving changed drives. False: in words alone.
     progress : bool or callable
         True: a bar of tqdm where that is installed. A function is called with the stage that begins and None. What it
         throws ends the computation.
@@ -68,7 +70,7 @@ def solve(scene: SceneLike = None, *, progress: Progress = False) -> _results.So
     """
     asked = scene_of(scene)
     with _calling(progress) as observer:
-        return _results.Solution._computed(_core.solve(asked._core, observer), asked)
+        return _results.Solution._computed(_core.solve(asked._core, advice, observer), asked)
 
 
 @checked

@@ -77,13 +77,18 @@ void enter_cases(auto& options, std::vector<double> const& tilts_deg, Words cons
     refuse(faults);
 }
 
-ResultPointer run_solve(SceneHandle const& handle, nb::handle observer)
+ResultPointer run_solve(SceneHandle const& handle, bool advice, nb::handle observer)
 {
     Scene const& scene = handle.sound();
     if (scene.wants_neutral_curve())
         throw InputError(Fault{"wave_generator.family", 0, scene.wave_generator.shape.family,
                                "the neutral curve is not known yet", "call find_neutral_curve(), which finds it"});
-    return run(observer, [&](Observer const& told) { return result_of(solve(scene, told.stages())); });
+    return run(observer, [&](Observer const& told) {
+        Solution solution = solve(scene, told.stages());
+        if (advice)
+            try_advice(solution);
+        return result_of(std::move(solution));
+    });
 }
 
 ResultPointer run_find_neutral_curve(SceneHandle const& handle, nb::handle observer)
@@ -351,7 +356,7 @@ void add_verbs(nb::module_& module)
         .def("text", [](Result const& result) { return text_of(result.text()); })
         .def_prop_ro("missing", &Result::missing)
         .def_ro("seconds", &Result::seconds);
-    module.def("solve", run_solve, "scene"_a, "observer"_a.none());
+    module.def("solve", run_solve, "scene"_a, "advice"_a, "observer"_a.none());
     module.def("find_neutral_curve", run_find_neutral_curve, "scene"_a, "observer"_a.none());
     module.def("contact", run_contact, "scene"_a, "tilts_deg"_a, "surfaces"_a, "kinds"_a, "best_deg"_a.none(),
                "revolution"_a, "errors"_a, "observer"_a.none());

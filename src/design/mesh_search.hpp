@@ -40,7 +40,7 @@ struct MeshAnswer
 /// Why the trial of @p failed that is nearest to the usual deformation is refused.
 [[nodiscard]] std::string usual_refusal(MeshChoice const& failed);
 
-/// Of a solved pair: tip land [modules], teeth in flank contact, angle lost before a cusp over angle used.
+/// Of a solved pair: tip land [modules], teeth in flank contact, angle lost by undercut over angle used.
 struct MeshFigures
 {
     explicit MeshFigures(Solution const& solution);

@@ -17,6 +17,6 @@ namespace hdconj::design {
 inline constexpr char const* length_ratio_row = "length ratio";
 inline constexpr char const* spline_land_row = "tip land of the circular spline";
 inline constexpr char const* flank_contact_row = "teeth of a lobe in flank contact";
-inline constexpr char const* lost_row = "angle lost before a cusp over angle used";
+inline constexpr char const* lost_row = "angle lost by undercut over angle used";
 
 }  // namespace hdconj::design

@@ -31,7 +31,7 @@ namespace hdconj::judgement {
 
 /// Teeth of a lobe that touch with a flank at the same time.
 [[nodiscard]] std::optional<Note> flank_contact(Solution const& solution);
-/// Part of a contact that is lost before its cusp.
+/// What a flank loses in contacts that end in a cusp.
 [[nodiscard]] std::optional<Note> undercut(Solution const& solution);
 /// Tip land of the circular spline.
 [[nodiscard]] std::optional<Note> land(Solution const& solution);

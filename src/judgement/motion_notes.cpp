@@ -6,7 +6,6 @@
 
 #include "base/text.hpp"
 #include "checks.hpp"
-#include "hdconj/check.hpp"
 #include "hdconj/judgement.hpp"
 #include "hdconj/units.hpp"
 #include "limits.hpp"
@@ -25,38 +24,6 @@ double flank_length(Solution const& solution)
         for (std::size_t i = piece.first; piece.kind == "flank" && i < piece.last; ++i)
             (points[i].x() + points[i + 1].x() < 0 ? left : right) += (points[i + 1] - points[i]).norm();
     return std::min(left, right);
-}
-
-constexpr double near = 0.02;  // of the usual deformation: as good as that
-
-/// Whether the flexspline's tooth can be made with that addendum and keeps its tip land.
-bool has_tip_land(Scene scene, double addendum)
-{
-    scene.flexspline.profile.given.at("addendum").value = addendum;
-    return check_scene(scene).empty() &&
-           std::ranges::none_of(judge(scene), [](Note const& note) { return note.code == NoteCode::tip_land; });
-}
-
-/// What makes flanks touch longer; empty where nothing is known.
-scene::Advice better_flank(Solution const& solution)
-{
-    Scene const& scene = solution.scene;
-    scene::FamilyChoice const& tooth = scene.flexspline.profile;
-    // Far from the usual deformation the corner of the tip cuts the flank away. Near it, the usual deformation may
-    // shorten the contact.
-    constexpr double far = 0.1;
-    double const ratio = scene::deformation_ratio(scene.drive, solution.geometry.w0);
-    bool const usual = scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth == scene.wave_generator.waves;
-    scene::Advice advice;
-    if (!usual || std::abs(ratio - 1) > far)
-        advice = scene::usual_pair(scene, std::nullopt);
-    scene::add_pressure_angle(scene, advice);
-    constexpr double low = 0.85, high = 0.9;  // modules
-    auto const addendum = tooth.number("addendum");
-    if (double const higher = high * scene.drive.module;
-        advice.set.empty() && addendum && *addendum < low * scene.drive.module && has_tip_land(scene, higher))
-        advice.add(tooth.path + ".addendum", short_number(higher, 3));
-    return advice;
 }
 
 }  // namespace
@@ -105,9 +72,9 @@ std::optional<Note> flank_contact(Solution const& solution)
                                   short_number(flank_length(solution), 3) + " mm, which is " + short_number(teeth, 3) +
                                   " teeth at a time"
                             : "no flank touches: corners and tip lands alone make the tooth space";
-    scene::Advice const better = better_flank(solution);
-    note->advice = better.words.empty() ? "take another tooth, such as family = \"s-tooth\"" : "write " + better.words;
-    note->set = better.set;
+    note->advice = solution.scene.given_profile().family == "s-tooth"
+                       ? "take another tooth"
+                       : "take another tooth, such as family = \"s-tooth\"";
     return note;
 }
 
@@ -119,24 +86,10 @@ std::optional<Note> undercut(Solution const& solution)
         return note;
     note->place = "flank of the tooth space";
     note->cause = "a flank touches over " + short_number(to_deg(contact.used), 3) + " degrees, and " +
-                  short_number(to_deg(contact.lost), 3) + " more up to a cusp are cut away by other contacts";
-    Scene const& scene = solution.scene;
-    scene::Advice const usual = scene::usual_pair(scene, std::nullopt);
-    double const ratio = scene::deformation_ratio(scene.drive, solution.geometry.w0);
-    bool const off = ratio > 1 + near, below = ratio < 1 - near;
-    bool const has_arcs =
-        scene.flexspline.profile.family == "double-circular-arc" || scene.flexspline.profile.family == "arc-chain";
-    // far below it the usual deformation may cost contact: a part of the way is enough
-    if ((off || below) && usual.words.empty())
-        note->advice = "change the wave generator's shape, or ";
-    else if (off)
-        note->advice = "write " + usual.words + ", or ";
-    else if (below)
-        note->advice = "write a radial deformation between " + short_number(solution.geometry.w0) + " and " +
-                       short_number(scene::usual_deformation(scene.drive)) + " mm, or ";
-    note->advice += has_arcs ? "write a flank with a larger radius there" : "take a tooth of another family";
-    if (off)
-        note->set = usual.set;
+                  short_number(to_deg(contact.lost), 3) + " more of contacts that end in a cusp are cut away";
+    std::string const& family = solution.scene.given_profile().family;
+    note->advice = family == "double-circular-arc" || family == "arc-chain" ? "write a flank with a larger radius there"
+                                                                            : "take a tooth of another family";
     return note;
 }
 

@@ -56,6 +56,13 @@ void add_tip_circle(Scene const& scene, double w0, Advice& advice)
     }
 }
 
+/// Adds the radial deformation @p w0 and what goes with it.
+void add_deformation(Scene const& scene, double w0, Advice& advice)
+{
+    advice.add(scene.wave_generator.shape.path + ".radial_deformation", short_number(w0));
+    add_tip_circle(scene, w0, advice);
+}
+
 }  // namespace
 
 std::optional<double> usual_tip_radius(Scene const& scene, double w0)
@@ -98,9 +105,28 @@ Advice usual_pair(Scene const& scene, std::optional<double> kept)
     FamilyChoice const& shape = scene.wave_generator.shape;
     if (!shape.has("radial_deformation"))
         return {};
-    double const w0 = usual_deformation(drive);
-    advice.add(shape.path + ".radial_deformation", short_number(w0));
-    add_tip_circle(scene, w0, advice);
+    add_deformation(scene, usual_deformation(drive), advice);
+    return advice;
+}
+
+Advice with_deformation(Scene const& scene, double w0)
+{
+    Advice advice;
+    if (scene.wave_generator.shape.has("radial_deformation"))
+        add_deformation(scene, w0, advice);
+    return advice;
+}
+
+Advice with_addendum(Scene const& scene, double w0, double addendum)
+{
+    constexpr int digits = 3;
+    Scene higher = scene;
+    higher.flexspline.profile.given.at("addendum").value = addendum;
+    Advice advice;
+    advice.add(scene.flexspline.profile.path + ".addendum", short_number(addendum, digits));
+    auto const now = usual_tip_radius(scene, w0), then = usual_tip_radius(higher, w0);
+    if (scene.circular_spline.inner_radius && now && then)
+        advice.add("circular_spline.inner_radius", short_number(*scene.circular_spline.inner_radius + *then - *now));
     return advice;
 }
 

@@ -56,6 +56,13 @@ struct Advice
 /// deformation and tip circle that go with them. @param kept  a radial deformation that stays where it is usual
 [[nodiscard]] Advice usual_pair(Scene const& scene, std::optional<double> kept);
 
+/// The radial deformation @p w0 [mm] and the tip circle that goes with it; empty where the deformation is no key.
+[[nodiscard]] Advice with_deformation(Scene const& scene, double w0);
+
+/// The addendum @p addendum [mm] and a given tip circle that moves as the usual one does at the radial deformation @p
+/// w0 [mm]. Domain: the addendum of the flexspline's tooth is a key.
+[[nodiscard]] Advice with_addendum(Scene const& scene, double w0, double addendum);
+
 /// Adds a pressure angle with which straight or involute flanks touch long enough, where theirs is smaller than 17 +
 /// 400/z_f degrees. A flank touches where the locus runs along it; the tooth turns by some 4/z_f meanwhile. The limit
 /// is fitted to drives of 60 to 240 teeth with the usual radial deformation, which touch over one pitch from 24 and 19

@@ -62,9 +62,10 @@ def figures_of(
 
 
 @lru_cache
-def estimates_errors(verb: str) -> bool:
-    """Whether a verb lets its user choose whether it estimates errors."""
-    return "errors" in inspect.signature(getattr(hdconj, verb)).parameters
+def lean_options(verb: str, errors: bool) -> dict[str, bool]:
+    """Options with which a verb computes nothing but figures, and ``errors`` where it can leave them out."""
+    lean = {"errors": errors, "advice": False}
+    return {key: lean[key] for key in inspect.signature(getattr(hdconj, verb)).parameters if key in lean}
 
 
 def compute(recipe: Recipe, values: Mapping[str, Value], errors: bool) -> tuple[Row, dict[str, str]]:
@@ -80,11 +81,11 @@ def compute(recipe: Recipe, values: Mapping[str, Value], errors: bool) -> tuple[
     units: dict[str, str] = {}
     for verb, options in recipe.verbs:
         call = getattr(hdconj, verb)
-        has_errors = estimates_errors(verb)
-        result = call(scene, **options, **({"errors": errors} if has_errors else {}))
+        lean = lean_options(verb, errors)
+        result = call(scene, **options, **lean)
         if result.missing:
             raise NumericalError("missing-case", verb, "the only case", "; ".join(result.missing))
-        own, own_errors, own_units = figures_of(verb, result, errors or not has_errors, recipe.figure_names)
+        own, own_errors, own_units = figures_of(verb, result, lean.get("errors", True), recipe.figure_names)
         known |= own
         estimates |= own_errors
         units |= own_units

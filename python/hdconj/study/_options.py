@@ -13,7 +13,7 @@ from .._errors import Fault, InputError, NumericalError
 from .._scene import Scene
 from ._keys import is_number
 
-_NOT_HERE = ("scene", "progress", "errors", "return")
+_NOT_HERE = ("scene", "progress", "errors", "advice", "return")
 # Options that stand in place of a key of the scene, and that key.
 KEYS = {
     **{"torque": "load.torque", "points": "load.points"},

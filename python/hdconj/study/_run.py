@@ -11,7 +11,7 @@ from typing import Any
 
 from .._arguments import checked
 from .._errors import Fault
-from ._drive import Row, Sample, careful_rows, estimates_errors, figures_of
+from ._drive import Row, Sample, careful_rows, figures_of, lean_options
 from ._engine import SHARD_SECONDS, compute_rows, engine, is_address
 from ._faults import fault_at, lines_of, near, refuse
 from ._options import known_options
@@ -71,8 +71,8 @@ def _figures_of_first(recipe: Recipe) -> set[str]:
     scene = recipe.scene_of(recipe.linked(recipe.first))
     names: set[str] = set()
     for verb, options in recipe.verbs:
-        lean: dict[str, Any] = {"errors": False} if estimates_errors(verb) else {}
-        names |= set(figures_of(verb, getattr(hdconj, verb)(scene, **options, **lean), False)[0])
+        result = getattr(hdconj, verb)(scene, **options, **lean_options(verb, False))
+        names |= set(figures_of(verb, result, False)[0])
     return names
 
 

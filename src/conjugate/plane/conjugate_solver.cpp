@@ -228,7 +228,8 @@ void ConjugateSolver::publish()
     for (std::size_t i = 0; i < branches_.size(); ++i)
         append_zones(base_, branches_[i], i, final_.arcs, final_.space.pieces, out_);
     FlankContactSum touching;
-    touching.add(moved_ ? *moved_ : base_, final_.arcs, final_.space.pieces);
+    touching.add(moved_ ? *moved_ : base_, final_.arcs, final_.space.pieces,
+                 [tip = out_.geometry.circular_spline_inner_radius](Vec2 const& p) { return p.norm() > tip; });
     out_.flank_contact = touching.value();
     add_positions(tooth_, motion_, 0, out_.tooth_family);
 }

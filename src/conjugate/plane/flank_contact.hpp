@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -12,23 +13,27 @@
 
 namespace hdconj::conjugate {
 
-/// Gathers the stretches of flank contact of a boundary.
+/// Gathers the stretches of flank contact of a boundary, and those that flanks lose by undercut.
 class FlankContactSum
 {
   public:
-    /// Adds those of @p pieces, which index @p arcs.
+    /// Adds those of @p pieces, which index @p arcs, and the contacts of @p arcs that reach a cusp in the space that
+    /// the boundary is to bound, as far as @p in_space says that they lie there.
     void add(envelope::AnyEnvelope const& envelope, std::vector<envelope::ContactArc> const& arcs,
-             std::vector<BoundaryPiece> const& pieces);
+             std::vector<BoundaryPiece> const& pieces, std::function<bool(Vec2 const&)> const& in_space);
 
     /// Angles of all that was added; where contacts overlap they count once.
     [[nodiscard]] FlankEngagement value() const;
 
   private:
-    /// The stretch of @p piece before a cusp of its arc at @p cusp.
-    void compare_with_cusp(envelope::AnyEnvelope const& envelope, BoundaryPiece const& piece, double cusp);
+    /// From and to, polar angles [rad].
+    struct Flank
+    {
+        std::vector<std::pair<double, double>> used;
+        std::vector<std::pair<double, double>> undercut;  ///< contacts that reach a cusp, with what is used of them
+    };
 
-    std::array<std::vector<std::pair<double, double>>, 2> stretches_;  ///< of each flank, from and to [rad]
-    FlankEngagement worst_;                                            ///< at a cusp
+    std::array<Flank, 2> flanks_;
 };
 
 }  // namespace hdconj::conjugate

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <iterator>
 #include <numbers>
@@ -220,7 +221,11 @@ class ReverseJob
         FlankContactSum touching;
         for (std::size_t j = 0; j < traced_.size(); ++j) {
             std::vector<BoundaryPiece> const own = pieces_of(body_, static_cast<int>(j));
-            touching.add(final_[j].envelope, final_[j].arcs, own);
+            // the teeth beside that space touch other flexspline teeth where these two do not
+            touching.add(final_[j].envelope, final_[j].arcs, own, [&](Vec2 const& p) {
+                bool const beside = traced_[j].number == 0 || traced_[j].number == 1;
+                return beside && p.y() > limits_.root && p.y() < limits_.tip && std::abs(p.x()) < limits_.half_width;
+            });
             for (envelope::Branch const& branch : traced_[j].branches)
                 append_zones(base_[j].envelope, branch, index++, final_[j].arcs, own, out_);
         }

@@ -105,6 +105,7 @@ ReportedDrive report_drive(Scene const& scene, ReportOptions const& options, Sta
     load.stop = run.stop = options.stop;
     ReportedDrive drive;
     drive.solution = solve(scene, on_stage);
+    try_advice(drive.solution);
     try_part(drive, options, ReportPart::contact, [&] {
         if (Faults faults = check_contact(scene, options.contact); !faults.empty())
             throw InputError(std::move(faults));

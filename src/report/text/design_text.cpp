@@ -35,7 +35,7 @@ void write_mesh(Page& page, Design const& design)
                   figures::fixed(trial.ratio, 2), short_number(trial.w0), short_number(trial.tip_radius),
                   figures::fixed(trial.land, 3), figures::fixed(trial.flank_contact, 2), figures::fixed(trial.lost, 3),
                   trial.refusal);
-    page.line("  *: taken; teeth: of a lobe in flank contact; lost: angle lost before a cusp over angle used");
+    page.line("  *: taken; teeth: of a lobe in flank contact; lost: angle lost by undercut over angle used");
 }
 
 void write_walls(Page& page, Design const& design)
