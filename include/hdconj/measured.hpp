@@ -54,7 +54,7 @@ struct MeasuredStiffness
 {
     int cycles = 0;                   ///< pairs of a positive and a negative load
     double largest_torque = 0;        ///< [N mm]
-    double angle_step = 0;            ///< smallest difference of two angles: the resolution of the reading [rad]
+    double angle_step = 0;            ///< steps in which the angle is read; 0: it has none [rad]
     double middle = 0;                ///< of the loop at zero torque [rad]; what `twist` of a simulation counts from
     double torque_middle = 0;         ///< of the loop [N mm]: the reading without load; taken out. 0: none was found
     std::vector<std::size_t> strays;  ///< samples left out: they leave the run of their neighbours

@@ -18,7 +18,7 @@ Rows<MeasuredStiffness> measured_curve_figures()
         figure<&T::largest_torque>("largest_torque", newton_metre, "largest torque of the curve")
             .without(hdf5)
             .printed({"up to", significant<4>}),
-        figure<&T::angle_step>("angle_step", arcmin, "smallest difference of two angles",
+        figure<&T::angle_step>("angle_step", arcmin, "steps in which the angle is read; 0: it has none",
                                {"in steps of", significant<3>}),
         figure<&T::middle>("middle", arcmin, "middle of the backlash"),
         figure<&T::torque_middle>("torque_middle", newton_metre, "reading of the torque without load, taken out",

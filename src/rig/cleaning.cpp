@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <span>
 #include <utility>
 
 namespace hdconj::rig {
@@ -19,7 +21,38 @@ double deviation_from_runs(std::vector<double> const& values)
     return deviation_of(std::move(differences));
 }
 
-/// Marks the values that leave the run of their neighbours.
+/// Readings at equal intervals, the first at @p first, and the line that most of them follow: its slope is the median
+/// of those of all pairs (Theil, Sen), its height the median of what then remains.
+struct LocalLine
+{
+    std::vector<double> values;
+    double first, slope, at_zero;
+
+    LocalLine(std::span<double const> readings, double at) : values(readings.begin(), readings.end()), first(at)
+    {
+        std::vector<double> slopes;
+        for (std::size_t i = 0; i < values.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                slopes.push_back((values[i] - values[j]) / static_cast<double>(i - j));
+        slope = quantile(std::move(slopes), 0.5);
+        std::vector<double> heights;
+        for (std::size_t i = 0; i < values.size(); ++i)
+            heights.push_back(values[i] - slope * (first + static_cast<double>(i)));
+        at_zero = quantile(std::move(heights), 0.5);
+    }
+
+    /// How far most readings are from it.
+    [[nodiscard]] double median_distance() const
+    {
+        std::vector<double> distances;
+        for (std::size_t i = 0; i < values.size(); ++i)
+            distances.push_back(std::abs(values[i] - slope * (first + static_cast<double>(i)) - at_zero));
+        return quantile(std::move(distances), 0.5);
+    }
+};
+
+/// Marks the values that leave the line of their neighbours: of those on either side and of those before and after, so
+/// that a corner is none.
 void mark_strays(std::vector<double> const& values, std::vector<bool>& stray)
 {
     constexpr std::size_t half = 3, window = 2 * half + 1;
@@ -27,21 +60,16 @@ void mark_strays(std::vector<double> const& values, std::vector<bool>& stray)
     constexpr double of_all = 5, of_neighbours = 3, steps = 2;
     if (values.size() < window)
         return;
-    auto const neighbours = [&](std::size_t i) {
-        auto const begin = values.begin() + static_cast<std::ptrdiff_t>(i - half);
-        return std::vector<double>(begin, begin + window);
-    };
-    std::vector<double> differences(values.size());
-    for (std::size_t i = half; i + half < values.size(); ++i)
-        differences[i] = values[i] - quantile(neighbours(i), 0.5);
     double const usual = of_all * deviation_from_runs(values) + steps * smallest_step(values);
+    std::span<double const> const all(values);
     for (std::size_t i = half; i + half < values.size(); ++i) {
-        if (std::abs(differences[i]) <= usual)
-            continue;
-        std::vector<double> local = neighbours(i);
-        for (double& each : local)
-            each = std::abs(each - values[i] + differences[i]);
-        if (std::abs(differences[i]) > usual + of_neighbours * deviation_per_median * quantile(local, 0.5))
+        LocalLine const both(all.subspan(i - half, window), -static_cast<double>(half));
+        LocalLine const before(all.subspan(i - half, half), -static_cast<double>(half)),
+            after(all.subspan(i + 1, half), 1);
+        double own = std::numeric_limits<double>::infinity();
+        for (LocalLine const* line : {&both, &before, &after})
+            own = std::min(own, std::abs(values[i] - line->at_zero));
+        if (own > usual + of_neighbours * deviation_per_median * both.median_distance())
             stray[i] = true;
     }
 }

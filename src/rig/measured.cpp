@@ -183,10 +183,11 @@ MeasuredStiffness measured_stiffness(MeasuredCurve const& curve)
     result.largest_torque = std::max(-low, high);
     if (!(std::min(-low, high) > measured_at::loaded / 2 * result.largest_torque))
         refuse(curve, "the torque has one sign only, or nearly so", "write a whole load cycle: 0, T, 0, -T, 0");
-    result.angle_step = rig::smallest_step(samples.twist);
     auto const branches = rig::branches_of(samples.torque, measured_at::reversal * result.largest_torque);
     BranchLimits limits;
-    limits.noise.rounding = rig::rounding_of(samples.twist, result.angle_step);  // without the drift none are steps
+    double const step = rig::smallest_step(samples.twist);
+    limits.noise.rounding = rig::rounding_of(samples.twist, step);  // without the drift none are steps
+    result.angle_step = limits.noise.rounding > 0 ? step : 0;
     remove_drift(curve, branches, samples, limits, result);
     check_sense(curve, samples);
     limits.noise.deviation = rig::deviation_from_neighbours(samples, branches);
@@ -194,7 +195,7 @@ MeasuredStiffness measured_stiffness(MeasuredCurve const& curve)
     double const least = std::min(result.torque_middle - low, high - result.torque_middle);
     limits.loaded = measured_at::loaded * least;
     limits.reach = reach_of(result);
-    Found const friction = rig::friction_torque(samples, branches, limits.noise.rounding > 0 ? result.angle_step : 0);
+    Found const friction = rig::friction_torque(samples, branches, result.angle_step);
     BranchFigures const all = rig::branch_figures(samples, branches, friction, limits);
     if (all.positive.empty() || all.negative.empty())
         refuse(curve,

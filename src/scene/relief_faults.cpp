@@ -34,6 +34,16 @@ void check_wobble(SceneReading const& reading, std::string const& key, double wo
                "write at most " + at_most_text(to_deg(std::atan(most / half))));
 }
 
+/// Refuses edges of the lands that leave no land.
+void check_edges(SceneReading const& reading, double radius, Faults& faults)
+{
+    constexpr double most = 0.25;  // modules: lands are 0.2 to 0.7 wide, and an edge takes 0.7 of its radius
+    if (knows(reading, {"load.edge_radius", "drive.module"}) && radius > most * reading.scene.drive.module)
+        add_at(faults, "load.edge_radius", number_text(radius), "edges as round as that leave no land",
+               "write at most " + at_most_text(most * reading.scene.drive.module) +
+                   ", a quarter of the module, such as " + short_number(0.04 * reading.scene.drive.module, 2));
+}
+
 /// Whether the first numbers of @p rows grow from row to row.
 bool are_growing(NumberRows const& rows)
 {
@@ -153,6 +163,8 @@ void add_relief_faults(SceneReading const& reading, Faults& faults)
     Scene const& scene = reading.scene;
     if (scene.tip_relief)
         check_amount(reading, "tip_relief.amount", scene.tip_relief->amount, faults);
+    if (scene.load && scene.load->edge_radius)
+        check_edges(reading, *scene.load->edge_radius, faults);
     if (scene.errors) {
         check_profile(reading, "errors.", scene.errors->profile_slope, scene.errors->profile_form, faults);
         for (char const* key : {"profile_slope", "profile_form"})

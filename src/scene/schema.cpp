@@ -598,13 +598,13 @@ std::vector<KeySpec> load()
                   "T2 in N m: K2 is the stiffness from T1 to T2, K3 from T2 on; absent: 0.625 of the rated",
                   bounds::least_torque, bounds::largest_torque),
          "17.5", to_torque<&Scene::load, &LoadRequest::second_torque>},
-        {optional(
-             "harmonics", Q::count,
-             "highest harmonic around the circumference; at most half the flexspline's teeth, more where they are few",
-             bounds::fewest_harmonics, bounds::most_harmonics),
+        {optional("harmonics", Q::count,
+                  "highest harmonic around the circumference; not all drives resolve 400, and a message says how many",
+                  bounds::fewest_harmonics, bounds::most_harmonics),
          "100", to<&Scene::load, &LoadRequest::harmonics>, 100.0},
         {optional("edge_radius", Q::positive_length,
-                  "of the edges where teeth touch under load; absent: 1/25 of the module", bounds::least_length),
+                  "of the edges where teeth touch under load, at most a quarter of the module; absent: 1/25 of it",
+                  bounds::least_length),
          "0.01", to<&Scene::load, &LoadRequest::edge_radius>}};
 }
 

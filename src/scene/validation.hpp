@@ -157,7 +157,7 @@ void add_axial_faults(SceneReading const& reading, Faults& faults);
 /// Of a scene whose neutral curve is wanted.
 void add_wanted_faults(SceneReading const& reading, Faults& faults);
 
-/// Reliefs: how far flanks stand back.
+/// Reliefs and errors: how far flanks and lands are from their nominal form.
 void add_relief_faults(SceneReading const& reading, Faults& faults);
 
 /// Friction of the running drive, and the temperatures of its lubricant.

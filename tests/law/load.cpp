@@ -575,6 +575,7 @@ TEST_CASE("more harmonics than the teeth tell apart are refused", "[load]")
         (void)study_load(quick({"load.torque=28", "load.harmonics=300"}));
         FAIL("300 harmonics of 200 teeth were taken");
     } catch (InputError const& error) {
+        CHECK(std::string(error.what()).find("--set: load.harmonics = 300") != std::string::npos);
         CHECK(std::string(error.what()).find("write at most 100") != std::string::npos);
     }
 }

@@ -55,20 +55,22 @@ void require_torque(Scene const& scene, LoadOptions const& options, Faults& faul
                       faults);
 }
 
-/// @param highest  harmonic that the angles of the teeth resolve
-void validate_harmonics(LoadRequest const& request, int highest, Faults& faults)
-{
-    if (request.harmonics > highest)
-        faults.push_back({"load.harmonics", request.line, fmt::format("{}", request.harmonics),
-                          "more than the angles of the teeth tell apart", fmt::format("write at most {}", highest)});
-}
-
 /// Where the scene gives @p key; the file is empty for the scene's own.
 std::pair<int, std::string> place_of(Scene const& scene, std::string const& key)
 {
     auto const given = scene.given.find(key);
     int const line = given == scene.given.end() ? 0 : given->second.line;
     return {line, line > 0 ? "" : "--set"};
+}
+
+/// @param highest  harmonic that the angles of the teeth resolve
+void validate_harmonics(Scene const& scene, int highest, Faults& faults)
+{
+    if (scene.load->harmonics <= highest)
+        return;
+    auto const [line, file] = place_of(scene, "load.harmonics");
+    faults.push_back({"load.harmonics", line, fmt::format("{}", scene.load->harmonics),
+                      "more than the angles of the teeth tell apart", fmt::format("write at most {}", highest), file});
 }
 
 /// Rigid balls hold the outer ring at as many points: no more than its harmonics have coefficients.
@@ -140,7 +142,7 @@ Faults check_either_sense(Scene const& scene, LoadOptions const& options)
     if (faults.size() == before)
         validate_catalogue(scene, options, faults);
     if (scene.load && scene.given.contains("load.harmonics"))
-        validate_harmonics(*scene.load, load::ring_grid(scene).highest_harmonic(), faults);
+        validate_harmonics(scene, load::ring_grid(scene).highest_harmonic(), faults);
     validate_balls(scene, faults);
     require_whole(faults, "--points", options.points, 1, scene::bounds::most_torques,
                   "one such as 10, or leave it out for as many as the stiffness needs");

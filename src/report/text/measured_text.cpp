@@ -64,9 +64,9 @@ void write_measured(Page& page, LoadCase const* simulated, Measurement const& me
     auto const& [curve, found] = measured;
     Told const told(figures::measured_curve_figures(), found);
     page.line("measured: {} ({})", curve.file, rig_text(curve));
-    page.line("  {} samples, {} load cycle{} up to {}, angles in steps of {}", curve.twist.size(), told("cycles"),
+    page.line("  {} samples, {} load cycle{} up to {}{}", curve.twist.size(), told("cycles"),
               plural(static_cast<std::size_t>(found.cycles)), told.with_unit("largest_torque"),
-              told.with_unit("angle_step"));
+              found.angle_step > 0 ? ", angles in steps of " + told.with_unit("angle_step") : "");
     page.line("  {:<30}{:>20}{:>12}{}", "", "measured", "of",
               simulated != nullptr ? "   simulated: " + figures::case_name(*simulated) : "");
     for (auto const& figure : figures::measured_figures())

@@ -178,6 +178,29 @@ TEST_CASE("stray readings are left out, and only they", "[load][measured]")
     }
 }
 
+TEST_CASE("one wrong torque changes neither drift nor loop", "[load][measured]")
+{
+    for (int const per_branch : {28, 56})
+        for (double const part : {-0.3, -0.2, 0.2, 0.3}) {
+            Rig rig;
+            rig.cycles = 2;
+            rig.per_branch = per_branch;
+            rig.angle_noise = 0.02 * minute;
+            rig.coulomb = 0.6 * nm;
+            std::size_t const readings = rig_loop(rig).torque.size();
+            for (std::size_t i = 4; i + 4 < readings; i += 3) {
+                auto curve = rig_loop(rig);
+                curve.torque[i] += part * rig.torque;
+                auto const found = measured_stiffness(curve);
+                INFO(per_branch << " a branch, " << part << " of the torque at reading " << i);
+                REQUIRE(found.drift.count > 0);
+                CHECK(std::abs(found.drift.value) < 5 * found.drift.error);
+                CHECK(std::abs(found.friction.value - rig.coulomb) < 5 * found.friction.error);
+                CHECK(std::abs(found.backlash.value - rig.drive.backlash) < 5 * found.backlash.error);
+            }
+        }
+}
+
 TEST_CASE("with strays, drift and friction the stated errors are those that are met", "[load][measured]")
 {
     constexpr int tries = 60;

@@ -51,6 +51,7 @@ std::vector<WrongValue> const& wrong_values()
         {"bearing.circles", [](Scene& s) { s.bearing.emplace().circles = 0; }, "must be at least 2"},
         {"contact.flank_points", [](Scene& s) { s.contact.emplace().flank_points = -4; }, "must be at least 5"},
         {"contact.contact_gap", [](Scene& s) { s.contact.emplace().gap = nan; }, "not a finite number"},
+        {"load.edge_radius", [](Scene& s) { s.load.emplace().edge_radius = s.drive.module / 3; }, "leave no land"},
         {"load.harmonics", [](Scene& s) { s.load.emplace().harmonics = 0; }, "must be at least 8"},
         {"load.torque", [](Scene& s) { s.load.emplace().torque = nan; }, "not a finite number"},
         {"errors.profile_form",
