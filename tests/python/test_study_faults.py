@@ -32,6 +32,7 @@ FLANK = '"flexspline.wall" = { from = 0.6, to = 0.8 }'
 BAD = [
     ("[vary]", "[vary", "no TOML"),
     ("[sample]", "[sampel]", "sampel: unknown table (write sample)"),
+    ("[sample]", "[extra]\n[sample]", "extra: unknown table (known: scene, set, vary, "),
     ("[sample]", "scene = 3\n[sample]", "vary.scene = 3: a single value does not vary (write scene = "),
     ("\n[vary]", 'scene = "nowhere.toml"\n[vary]', "there is no such file"),
     ("\n[vary]", "scene = 3\n[vary]", "scene = 3: is no file name"),
@@ -92,6 +93,14 @@ BAD = [
     (FLANK, '"flexspline.wall" = { nominal = 0.7, tolerance = "g6" }', "tolerance = g6 is no class that is known here"),
     (FLANK, '"flexspline.wall" = { nominal = 900, tolerance = "h6" }', "nominal = 900 is no size"),
     (FLANK, FLANK + '\n"tilt.angle_deg" = "2 * flexspline.wal"', "unknown name flexspline.wal (write flexspline.wall)"),
+    *(
+        (FLANK, f'{FLANK}\nx = "2 * {name}"', f"{name} is not written in the scene (write it under [set]{such}")
+        for name, such in (
+            ("contact.contact_gap", ', such as "contact.contact_gap" = 0.001)'), ("slices.count", ', such as "slices.'),
+            ("tilt.angle_deg", ', such as "tilt.angle_deg" = '), ("flexspline.profile.convex_rise", ")"),
+        )
+    ),
+    (FLANK, f'{FLANK}\nx = "flexspline.wall * contact.gaps"', "unknown name contact.gaps (known: "),
     (FLANK, FLANK + '\n"tilt.angle_deg" = "2 *"', "no expression: invalid syntax"),
     (FLANK, FLANK + '\n"tilt.angle_deg" = "2 + tilt.x^2"', "^ is no operation (write 2 + tilt.x ** 2)"),
     (
@@ -167,6 +176,16 @@ BAD = [
     ('verb = "solve"', 'verb = "solve"\nerrors = 1', "compute.errors = 1: must be true or false"),
     ('verb = "solve"', 'verb = "solve"\nload = { torque = 3 }', "options of a verb that is not computed"),
     ('verb = "solve"', 'verb = "solve"\nsolve = { torque = 3 }', "compute.solve.torque = 3: unknown option"),
+    *(
+        ('verb = "solve"', f'verb = ["solve", "kontact"]\n{options}', said)
+        for options, said in (
+            ("load = { curve = 1 }", "compute.load.curve = 1: is of another type (write true or false)"),
+            ("load = { curve = 1 }", '(write verb = ["solve", "contact", "load"], or remove it)'),
+            ('contact = { surfaces = "foo" }', "contact.surfaces = foo: is no word"),
+            ("contact = { kurve = 1 }", "compute.contact.kurve = 1: unknown option"),
+        )
+    ),
+    ('verb = "solve"', 'verb = "xyz"\nload = { curve = 1 }', "compute.load.curve = 1: is of another type"),
     ('verb = "solve"', 'verb = "solve"\nsolve = 3', "compute.solve = 3: is no table (write solve = {"),
     *(
         ('verb = "solve"', f'verb = "{verb}"\n{verb} = {{ {option} }}', said)

@@ -63,7 +63,7 @@ def written(value: object) -> str:
 def near(word: str, known: Iterable[object]) -> str:
     """What to write in place of a word that is not known."""
     words = list(map(str, known))
-    close = difflib.get_close_matches(word, words, 1, 0.5)
+    close = difflib.get_close_matches(word, words, 1)
     return f"write {close[0]}" if close else f"known: {', '.join(words)}"
 
 

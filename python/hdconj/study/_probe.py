@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import replace
@@ -19,16 +20,28 @@ from ._recipe import Recipe, flat
 from ._tables import Reader
 
 
-def ask_names(reader: Reader, links: Mapping[str, Expression], known: Mapping[str, Any]) -> None:
+def absent_key(scene: Scene, name: str) -> str:
+    """What to write for a name that is a key of numbers which the scene leaves at its default; empty for others."""
+    for fault in scene.with_({name: "?"}).check() if "." in name else ():
+        if fault.path == name and re.match("write an? (length|angle|number|whole number)", fault.remedy):
+            example = re.search(r"such as \w+ = (.*)", fault.remedy)
+            return "write it under [set]" + (f', such as "{name}" = {example[1]}' if example else "")
+    return ""
+
+
+def ask_names(reader: Reader, scene: Scene, links: Mapping[str, Expression], known: Mapping[str, Any]) -> None:
     """Whether links find their names; keys that are refused themselves are not proposed."""
     wrong = {fault.path.removeprefix("vary.").removeprefix("scene ") for fault in reader.faults}
     proposed = [name for name in (*known, *links) if name not in wrong]
     for path, link in links.items():
-        for name in link.names:
-            if name not in known and name not in links:
+        for name in (name for name in link.names if name not in links):
+            if name in known:
+                if not isinstance(known[name], (int, float)):
+                    reader.told(f"vary.{path}", f"{name} is no number", "links compute with numbers", link.text)
+            elif remedy := absent_key(scene, name):
+                reader.told(f"vary.{path}", f"{name} is not written in the scene", remedy, link.text)
+            else:
                 reader.told(f"vary.{path}", f"unknown name {name}", near(name, proposed), link.text)
-            elif name not in links and not isinstance(known[name], (int, float)):
-                reader.told(f"vary.{path}", f"{name} is no number", "links compute with numbers", link.text)
 
 
 def probe(reader: Reader, scene: Scene, recipe: Recipe) -> None:

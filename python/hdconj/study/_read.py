@@ -114,7 +114,7 @@ def _read_tables(reader: Reader, computed: bool) -> Recipe:
     if not computed:
         refuse_overridden(reader, recipe)
     if base := _tables_of(scene):
-        ask_names(reader, links, {**base, **{key.path: _sort_of(key) for key in keys}})
+        ask_names(reader, scene, links, {**base, **{key.path: _sort_of(key) for key in keys}})
         if not computed:
             refuse_unused(reader, recipe, base)
     ask_verbs(reader, recipe)

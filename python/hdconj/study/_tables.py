@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from difflib import get_close_matches
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 from typing import Any
@@ -177,17 +178,17 @@ class Reader:
         if not isinstance(words, list) or not words or any(word not in VERBS for word in words):
             remedy = f"write one of {', '.join(VERBS)}, or a list of them"
             self.told("compute.verb", "unknown verb", remedy, table["verb"])
-            words = []
+            close = [get_close_matches(str(word), VERBS, 1) for word in words] if isinstance(words, list) else []
+            words = list(dict.fromkeys(word for each in close for word in each)) if all(close) else []  # what is meant
         errors = table.get("errors", False)
         if not isinstance(errors, bool):
             self.told("compute.errors", "must be true or false", "write errors = true", errors)
-        verbs: list[tuple[str, Mapping[str, Any]]] = []
-        for word in words:
-            verbs.append((word, self.options(word, table.get(word, {}))))
+        options = {word: self.options(word, table.get(word, {})) for word in VERBS if word in table or word in words}
         for word in VERBS:
             if words and word in table and word not in words:
                 remedy = f"write verb = {written([*words, word])}, or remove it"
                 self.told(f"compute.{word}", "options of a verb that is not computed", remedy)
+        verbs: list[tuple[str, Mapping[str, Any]]] = [(word, options[word]) for word in words]
         return verbs, bool(errors), self.count(table, "compute.survivors", 0)
 
     def options(self, verb: str, options: object) -> dict[str, Any]:
