@@ -14,7 +14,7 @@ import hdconj
 study = pytest.importorskip("hdconj.study")
 pytest.importorskip("distributed")
 from hdconj.study import _drive  # noqa: E402
-from hdconj.study.__main__ import print_indices, print_status  # noqa: E402
+from hdconj.study.__main__ import print_indices, print_status, print_table  # noqa: E402
 from hdconj.study._expression import Expression  # noqa: E402
 from hdconj.study._indices import with_half_widths  # noqa: E402
 from hdconj.study._optimise import Search  # noqa: E402
@@ -406,6 +406,15 @@ def test_better_is_beyond_the_error():
     assert _ranks(np.array([1.0, 1.05, 1.3, 1.31]), np.full(4, 0.1)) == [1, 1, 3, 3]
 
 
+def test_an_unknown_error_claims_no_difference():
+    """It counts as the largest that is known among other drives, and gives no rank."""
+    values, errors = np.array([[1.0, 1.0], [1.15, 1.0], [1.3, 1.0]]), np.array([[0.1, 0.0], [np.nan] * 2, [np.nan] * 2])
+    assert list(dominated(values, errors)) == [False, False, True]
+    assert _ranks(values[:, 0], errors[:, 0]) == [1, None, None]
+    assert _ranks(np.array([1.0, 1.1, 1.2, 1.35]), np.array([np.nan, 0.1, 0.1, 0.1])) == [None, 2, 2, 4]
+    assert _ranks(np.array([1.0, 2.0]), np.full(2, np.nan)) == [None, None]
+
+
 @pytest.mark.parametrize("objectives", [2, 3])
 def test_beaten_designs_are_those_that_one_beats(objectives):
     """As the definition says, with ties, errors, and errors that are not known; and quickly of many designs."""
@@ -414,7 +423,7 @@ def test_beaten_designs_are_those_that_one_beats(objectives):
         values = draws.integers(0, 6, (50, objectives)) / 3 if number % 2 else draws.random((50, objectives))
         errors = draws.random((50, objectives)) * draws.choice([0, 0.03, 1])
         errors[draws.random(errors.shape) < 0.2] = np.nan
-        known = np.nan_to_num(errors)
+        known = np.where(np.isnan(errors), np.nanmax(errors, axis=0), errors)
         beaten = [((values <= value).all(axis=1) & (values + known < value - error).any(axis=1)).any()
                   for value, error in zip(values, known)]  # fmt: skip
         assert list(dominated(values, errors)) == beaten
@@ -623,7 +632,7 @@ area = "AIM"
 """
 
 
-def test_survivors_are_those_of_the_study_as_it_is(scheduler, tmp_path):
+def test_survivors_are_those_of_the_study_as_it_is(scheduler, tmp_path, capsys):
     def run(count, survivors, aim):
         text = SURVIVING.replace("SCENE", str(SOURCE / "data/scenes/type-50-coned.toml"))
         text = text.replace("COUNT", str(count)).replace("SURVIVORS", str(survivors)).replace("AIM", aim)
@@ -637,7 +646,12 @@ def test_survivors_are_those_of_the_study_as_it_is(scheduler, tmp_path):
     assert more.best(1)["area"][0] == more.frame["area"].max()
     least = run(8, 2, "min")
     assert least.best(5)["area"].tolist() == sorted(least.frame["area"])[:5]
-    assert least.best(5)["area_error"].notna().tolist() == [True, True, False, False, False]
+    best = least.best(5)
+    assert best["area_error"].notna().tolist() == best["rank"].notna().tolist() == [True, True, False, False, False]
+    print_table(best)
+    said = capsys.readouterr()
+    assert [line.split()[0] for line in said.out.splitlines()[3:]] == ["-"] * 3
+    assert "whose error is not known has no rank" in said.err
 
 
 def test_all_of_the_best_are_listed_and_drawn(search, tmp_path):

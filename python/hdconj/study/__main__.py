@@ -102,11 +102,22 @@ def print_best(study: Any, options: argparse.Namespace) -> bool:
         return True
     if table.empty:
         return _say_none(study)
-    errors = [name for name in table.columns if name.endswith("_error") and table[name].isna().all()]
-    print(table.drop(columns=[*errors, "code", "stage", "place", "cause"]).to_string(index=False, float_format=_number))
+    print_table(table)
     if options.scene:
         study.folder.write_scene(Path(options.scene), study.recipe, study.values(table.iloc[0]))
     return True
+
+
+def print_table(table: Any) -> None:
+    """Prints the best drives, without ranks and errors where none is known."""
+    unsure = [name for name in table.columns if name == "rank" or name.endswith("_error")]
+    empty = [name for name in unsure if table[name].isna().all()]
+    ranks = {"rank": table["rank"].astype(float)} if "rank" in table else {}
+    shown = table.assign(**ranks).drop(columns=[*empty, "code", "stage", "place", "cause"])
+    print(shown.to_string(index=False, float_format=_number, na_rep="-"))
+    if "rank" in table and table["rank"].isna().any():
+        said = "a drive whose error is not known has no rank (errors = true or survivors under [compute] estimate it)"
+        print(f"hdconj study: {said}", file=sys.stderr)
 
 
 def _say_none(study: Any) -> bool:

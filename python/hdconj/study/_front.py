@@ -21,9 +21,10 @@ def dominated(values: Floats, errors: Floats) -> Bools:
     values : (n, m) array
         Objectives, all to be as small as possible.
     errors : (n, m) array
-        Their errors; not a number counts as 0.
+        Their errors. One that is not known counts as the largest of its objective, and as 0 where none is known.
     """
-    errors = np.nan_to_num(errors)
+    largest = np.where(np.isnan(errors), 0.0, errors).max(axis=0, initial=0.0)
+    errors = np.where(np.isnan(errors), largest, errors)
     worst, best = values + errors, values - errors
     if values.shape[1] == 2:
         return np.asarray((_least_of_as_good(values, worst) < best).any(axis=1), dtype=bool)

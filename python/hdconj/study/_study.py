@@ -122,7 +122,9 @@ class Study:
         """The best drives as a ``pandas.DataFrame``, best first; each once, however often it was computed.
 
         With one objective the column ``rank`` is the same for drives whose difference to the first of them does not
-        exceed the errors of both. With several the drives are those that no other one beats.
+        exceed the errors of both; it is empty where the error of a drive is not known. With several the drives are
+        those that no other one beats by more than the errors of both. An error that is not known counts there as the
+        largest known one of its objective, and as 0 where none is known.
 
         Parameters
         ----------
@@ -131,6 +133,8 @@ class Study:
         again : bool
             Take the figures of survivors from their second computation, with errors; the others have none.
         """
+        import pandas
+
         if count < 1:
             raise refuse("count", f"{count} is less than one", "write a whole number from 1")
         if not self.recipe.objectives:
@@ -148,7 +152,7 @@ class Study:
             return rows.iloc[order].reset_index(drop=True)
         order = np.argsort(values[:, 0], kind="stable")[:count]
         chosen = rows.iloc[order].reset_index(drop=True)
-        chosen.insert(0, "rank", _ranks(values[order, 0], np.nan_to_num(errors[order, 0])))
+        chosen.insert(0, "rank", pandas.array(_ranks(values[order, 0], errors[order, 0]), dtype="Int64"))
         return chosen
 
     def _with_survivors(self) -> Any:
@@ -228,11 +232,18 @@ class Study:
         }
 
 
-def _ranks(values: Floats, errors: Floats) -> list[int]:
-    """Ranks from 1 of sorted values; a new one begins where the difference to the first of the last exceeds errors."""
-    ranks, leader = [], 0
+def _ranks(values: Floats, errors: Floats) -> list[int | None]:
+    """Ranks from 1 of sorted values; a new one begins where the difference to the first of the last exceeds errors.
+
+    None where the error is not known; such a value takes its place in the count.
+    """
+    ranks: list[int | None] = []
+    leader: int | None = None
     for i in range(len(values)):
-        if values[i] - errors[i] > values[leader] + errors[leader]:
+        if np.isnan(errors[i]):
+            ranks.append(None)
+            continue
+        if leader is None or values[i] - errors[i] > values[leader] + errors[leader]:
             leader = i
         ranks.append(leader + 1)
     return ranks
