@@ -398,6 +398,30 @@ def test_figures_of_a_row_are_those_of_the_result(verb, options):
     assert f"{verb}.conjugate_zone_length" not in _drive.figures_of(verb, result, True, {f"{verb}.r_m"})[0]
 
 
+def test_figures_of_inner_groups_have_one_value():
+    """Those over slices and members have several, none of which is the drive's; of several torques the last counts."""
+    scene = hdconj.Scene.load(SOURCE / "data/scenes/type-50-elastic.toml")
+    small = scene.with_({"slices.count": 3, "contact.flank_points": 20, "solver.tolerance": 1e-3})
+    options = {"contact": {"errors": False}, "load": {"torque": 5, "points": 2, "errors": False}}
+    for verb, several in (("contact", {"z", "amplitude", "flank_clearance"}), ("load", {"members.twist"})):
+        result = getattr(hdconj, verb)(small, **options[verb])
+        values = _drive.figures_of(verb, result, False)[0]
+        inner = dict(figures_in(result[verb], verb))
+        assert {f"{verb}.case_000.{name}" for name in several} <= {*inner} - {*values}
+        for path, value in inner.items():
+            is_over_torques = path.startswith("load.case_000.curve.")
+            assert (path in values) == (is_over_torques or np.size(value) == 1), path
+            assert path not in values or np.array_equal(values[path], np.ravel(value)[-1], equal_nan=True), path
+        assert not {*inner} & {*_drive.figures_of(verb, result, False, {f"{verb}.backlash"})[0]}
+
+
+def figures_in(group, path):
+    """Figures of the groups in a group."""
+    for name, inner in group.groups.items():
+        yield from ((f"{path}.{name}.{figure}", found.value) for figure, found in inner.figures.items())
+        yield from figures_in(inner, f"{path}.{name}")
+
+
 def test_better_is_beyond_the_error():
     values = np.array([[1.0, 1.0], [1.05, 1.0], [1.3, 1.0], [0.5, 2.0]])
     assert list(dominated(values, np.full((4, 2), 0.1))) == [False, False, True, False]

@@ -8,7 +8,7 @@ import math
 import pickle
 import subprocess
 import sys
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 
@@ -28,6 +28,19 @@ KILLED = "killed-worker"
 MADE = {"code": "", "stage": "", "place": "", "cause": ""}
 _KEPT = 6  # responses of cups and bearings that a worker keeps for the next drives; a drive has four
 _TRIES = 3  # of a drive that kills its process: another process might have been the reason
+# What the figures with one value stand over: a drive has one case, of several torques the largest is the last, and
+# beside a measured value stands its error.
+_SINGLE = ((), ("case",), ("state",), ("estimate",))
+
+
+def _columns_of(group: tuple[Any, ...], path: str) -> Iterator[str]:
+    """Figures in a group, as the extension gives it, that have a value for each slice, each member, each optimum."""
+    _, datasets, links, groups, figures = group
+    for name, place, _, _, _, is_attribute in figures:
+        if not is_attribute and datasets[links.get(place, place)][3] not in _SINGLE:
+            yield f"{path}.{name}"
+    for name, inner in groups.items():
+        yield from _columns_of(inner, f"{path}.{name}")
 
 
 def figures_of(
@@ -36,24 +49,28 @@ def figures_of(
     """Values, errors and units of all single figures of a result, under names that begin with the verb.
 
     It reads what the extension gives: the arrays of a result, which nobody asks for here, take as long as a solve.
-    ``wanted`` names figures; the length of the conjugate zones, which needs arrays, is left out where it is not there.
+    ``wanted`` names figures; what needs arrays is left out where none such is there: the length of the conjugate zones,
+    and figures of inner groups, which may have several values.
     """
     values, estimates, units = {}, {}, {}
     rows = result._made.figures()
+    zones = f"{verb}.conjugate_zone_length"
+    wants_zones = wanted is None or zones in wanted
+    wants_inner = wanted is None or any(name.startswith(f"{verb}.") and name.count(".") > 1 for name in wanted)
+    groups = result._made.layout()[3] if wants_zones or wants_inner else {}
+    columns = set(_columns_of(groups[result._main], verb)) if wants_inner and result._main else set()
     for part in ("", "summary", result._main):
         for group, name, value, error, unit in rows:
             head, _, inner = group.partition("/")
-            if head != part or (inner and head != result._main):
-                continue
             path = ".".join([verb, *inner.split("/"), name] if inner else [verb, name])
+            if head != part or (inner and not (wants_inner and head == result._main)) or path in columns:
+                continue
             values[path], units[path] = value, unit
             if not errors:
                 estimates[path] = float("nan")
             elif error is not None:
                 estimates[path] = error
-    zones = f"{verb}.conjugate_zone_length"
-    groups = result._made.layout()[3] if wanted is None or zones in wanted else {}
-    if "conjugate_zones" in groups:
+    if wants_zones and "conjugate_zones" in groups:
         datasets = groups["conjugate_zones"][1]
         phi, on_boundary = (np.asarray(datasets[name][0]) for name in ("phi", "on_boundary"))
         values[zones] = float(np.abs(np.diff(phi, axis=1))[:, 0][on_boundary != 0].sum())
