@@ -12,7 +12,7 @@ import hdconj
 
 study = pytest.importorskip("hdconj.study")
 pytest.importorskip("distributed")
-from hdconj.study import _drive, _shards, _store  # noqa: E402
+from hdconj.study import _drive, _faults, _run, _shards, _store  # noqa: E402
 from hdconj.study.__main__ import _parser, main  # noqa: E402
 from hdconj.study._expression import Expression  # noqa: E402
 
@@ -359,6 +359,7 @@ def test_large_numbers_are_numbers():
     [
         ("solve.land_width", "solve.land_widht", "unknown figure solve.land_widht (write solve.land_width)"),
         ("solve.land_width", "2 * land_width", "unknown figure land_width (write solve.land_width)"),
+        ("solve.land_width", "slices.count", 'slices.count (write it under [set], such as "slices.count" = 9)'),
     ],
 )
 def test_figures_are_those_of_the_first_drive(old, new, said):
@@ -413,15 +414,58 @@ def test_a_name_that_means_two_things_is_refused():
 
 
 def test_a_middle_drive_that_cannot_be_made_stops_no_study():
-    """Its figures are not known, so names are left unchecked; a name that means two things is told in the rows."""
+    """A name that means two things is told in the rows, where no drive shows it before."""
     text = GOOD.replace(FLANK, '"wave_generator.radial_deformation" = { list = [0.15, 0.25] }')
     text = text.replace('"solve.land_width"', '"solve.land_width / wave_generator.radial_deformation"')
+    with pytest.raises(hdconj.InputError, match="unknown figure solve.land_widht"):
+        study.check(study.read_recipe(text.replace("land_width", "land_widht")))
     good = study.check(study.read_recipe(text))
     codes = [_drive.row_of(good, (0, {good.keys[0].path: value}), False)[0]["code"] for value in (0.15, 0.25)]
     assert codes[0] not in ("", "figure") and codes[1] == ""
     given = study.read_recipe(TORQUE.replace(', measured = "rig.csv"', ""))
     row = _drive.row_of(given, (0, given.first), False)[0]
     assert (row["code"], row["cause"]) == ("figure", "load.torque / 2: load.torque is a key of the scene and a figure")
+
+
+SELDOM = GOOD.replace(FLANK, '"wave_generator.radial_deformation" = { list = [0.15, 0.151, 0.25] }')
+SELDOM = SELDOM.replace('"sobol"\ncount = 8', '"grid"') + '[objectives]\nland = "max"\n'
+
+
+@pytest.mark.parametrize("verb", ["run", "optimise"])
+def test_the_first_drive_that_can_be_made_shows_names(scheduler, tmp_path, monkeypatch, verb):
+    """Where none was found before: a warning until then, and a misspelt figure ends what would lack it everywhere."""
+    monkeypatch.setattr(_run, "_TRIES", 0)
+    compute = getattr(study, verb)
+    for name, folder in (("land_widht", "wrong"), ("land_width", "right")):
+        recipe = study.read_recipe(SELDOM.replace("land_width", name) + "[optimise]\npopulation = 8\ngenerations = 1\n")
+        with pytest.warns(_faults.UncheckedNames, match="the drive in the middle cannot be made, so the names of figu"):
+            study.check(recipe)
+        with pytest.warns(_faults.UncheckedNames):
+            if folder == "right":
+                compute(recipe, tmp_path / folder, scheduler=scheduler, progress=False)
+                continue
+            with pytest.raises(hdconj.InputError, match=r"unknown figure solve.land_widht \(write solve.land_width\)"):
+                compute(recipe, tmp_path / folder, scheduler=scheduler, progress=False)
+    assert not study.open(tmp_path / "right").about["unchecked"]
+    assert "land_widht" not in str(study.open(tmp_path / "wrong").frame["cause"].tolist())
+
+
+def test_status_says_what_figures_lack_and_that_names_are_unchecked(scheduler, tmp_path, capsys):
+    """The commonest figure without a value, and why; that no drive could be made to check the names."""
+    lacking = GOOD.replace('land = "solve.land_width"', 'a = "sqrt(flexspline.wall - 0.65)"\nb = "sqrt(a_b - 0.99)"')
+    lacking = lacking.replace("[vary]", "[vary]\na_b = { from = 0, to = 1 }")
+    unmade = SELDOM.replace(", 0.25]", "]").replace("land_width", "land_widht")
+    for text, said in (
+        (lacking, " figure b = sqrt(a_b - 0.99): "),
+        (unmade, "the drive in the middle and 1 more cannot be made, so the names of figures are unchecked: "),
+    ):
+        file, folder = tmp_path / f"{len(text)}.toml", str(tmp_path / str(len(text)))
+        file.write_text(text)
+        assert main(["run", str(file), "-o", folder, "--scheduler", scheduler]) == 0
+        shown = capsys.readouterr()
+        assert said in shown.out and (text == lacking or said in shown.err)
+        assert main(["status", folder]) == 0
+        assert capsys.readouterr().out == shown.out
 
 
 def test_a_measured_curve_that_is_not_there_is_named(tmp_path):

@@ -7,7 +7,9 @@ import argparse
 import os
 import signal
 import sys
-from collections.abc import Sequence
+import warnings
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -63,6 +65,10 @@ def print_status(study: Any) -> None:
     print(f", {lacking} that lack a figure" * bool(lacking) + "; running" * bool(state["running"]))
     for code, count in sorted(state["failed"].items()):
         print(f"  {count} {code}")
+    if state["lacking"]:
+        print("  {} figure {} = {}".format(*state["lacking"]))
+    if study.about.get("unchecked"):
+        print(study.about["unchecked"])
     if state["seconds_left"]:
         print(f"{state['seconds_left']:.0f} s of one worker left")
     if "ended" in study.about:
@@ -145,6 +151,24 @@ def _stop_at_once_at_the_second_interrupt() -> None:
     signal.signal(signal.SIGINT, stop)
 
 
+@contextmanager
+def _told_warnings() -> Iterator[None]:
+    """Says warnings of the study as a command says them; others stay as they are."""
+    from ._faults import UncheckedNames
+
+    with warnings.catch_warnings():
+        whole = warnings.showwarning
+
+        def show(message: Any, category: type[Warning], *rest: Any) -> None:
+            if issubclass(category, UncheckedNames):
+                print(f"hdconj study: {message}", file=sys.stderr)
+            else:
+                whole(message, category, *rest)
+
+        warnings.showwarning = show  # type: ignore[assignment]
+        yield
+
+
 def _run(options: argparse.Namespace) -> bool:
     """Computes a study; False where a search has found no drive."""
     from . import _optimise, _run
@@ -152,10 +176,11 @@ def _run(options: argparse.Namespace) -> bool:
 
     _stop_at_once_at_the_second_interrupt()
     call = _run.run if options.verb == "run" else _optimise.optimise
-    call(
-        options.what, options.folder, jobs=options.jobs, scheduler=options.scheduler,
-        shard_seconds=options.shard_seconds, progress=not options.quiet,
-    )  # fmt: skip
+    with _told_warnings():
+        call(
+            options.what, options.folder, jobs=options.jobs, scheduler=options.scheduler,
+            shard_seconds=options.shard_seconds, progress=not options.quiet,
+        )  # fmt: skip
     study = open_study(options.folder)
     if not options.quiet:
         print_status(study)
@@ -173,10 +198,11 @@ def _act(options: argparse.Namespace) -> bool:
         from ._run import fault_of, first_drive
 
         recipe = load_recipe(options.what)
-        row = first_drive(recipe)[0]
-        if row["code"]:
-            lacks = "lacks a figure" if row["code"] == "figure" else "cannot be made, so figures are unchecked"
-            print(f"hdconj study: the drive in the middle {lacks}: {fault_of(row)}", file=sys.stderr)
+        first = first_drive(recipe)
+        if fault := fault_of(first.row):
+            lacks = "lacks a figure" if first.row["code"] == "figure" else "cannot be made"
+            said = first.unchecked or f"the drive in the middle {lacks}: {fault}"
+            print(f"hdconj study: {said}", file=sys.stderr)
         print(f"{recipe.drives} drives, {len(recipe.keys)} keys vary, {len(recipe.figures)} figures")
     elif options.verb == "status":
         print_status(open_study(options.what))

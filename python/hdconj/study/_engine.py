@@ -20,7 +20,7 @@ from multiprocessing.resource_tracker import ensure_running
 from pathlib import Path
 from typing import Any
 
-from .._errors import FileError
+from .._errors import FileError, InputError
 from ._drive import Row, Sample, careful_rows, rows_of
 from ._progress import Progress, Told
 from ._recipe import Recipe
@@ -242,6 +242,7 @@ def _finished(client: Any, running: dict[Any, Any]) -> list[Any]:
 def compute_rows(
     client: Any, recipe: Recipe, samples: Sequence[Sample], folder: Path, own: Mapping[str, Any], *, errors: bool,
     seconds: float = 1.0, shard_seconds: float = SHARD_SECONDS, what: str = "drives", shown: bool = True,
+    look: Callable[[Sequence[Row]], None] = lambda rows: None,
 ) -> Told:  # fmt: skip
     """Computes samples and writes their shards, one after the other as they come.
 
@@ -265,6 +266,8 @@ def compute_rows(
         Name of the progress bar.
     shown : bool
         Whether there is one.
+    look
+        Sees the rows of a shard before they are written, and may refuse the study.
     """
     from distributed import KilledWorker
 
@@ -290,11 +293,12 @@ def compute_rows(
                     continue
                 except LOST as error:
                     raise _lost(error) from None
+                look(rows)
                 shards.learn(taken, len(part))
                 about = {"units": units, "seconds": taken, "errors": errors}
                 write_shard(folder, rows, schema, about | {word: own[word] for word in IDENTITY})
                 progress.add(rows)
-    except (EngineLost, FileError, KeyboardInterrupt):
+    except (EngineLost, FileError, InputError, KeyboardInterrupt):
         _quietly(lambda: client.cancel(list(running), force=True))
         raise
     finally:

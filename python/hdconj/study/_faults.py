@@ -17,6 +17,10 @@ _WORD = r"""(?:[\w-]+|"[^"\n]*"|'[^'\n]*')"""
 _KEY = re.compile(rf"[ \t]*({_WORD}(?:[ \t]*\.[ \t]*{_WORD})*)[ \t]*=")
 
 
+class UncheckedNames(UserWarning):
+    """No drive that was tried can be made, so that nothing says whether the names of figures are right."""
+
+
 def _path_in(line: str) -> str:
     """The path of the one table or key in a line of TOML; empty where there is none."""
     try:

@@ -19,7 +19,7 @@ from ._faults import refuse
 from ._progress import Told
 from ._read import load_recipe
 from ._recipe import Recipe
-from ._run import compute_survivors, prepare, refuse_machine
+from ._run import compute_survivors, look_for_names, prepare, refuse_machine
 from ._shards import write_whole
 from ._store import Folder
 from ._study import Study
@@ -127,13 +127,13 @@ def optimise(
         drives in ``pareto``.
     """
     refuse_machine(jobs, shard_seconds, scheduler)
-    recipe = study if isinstance(study, Recipe) else load_recipe(study)
-    _refuse_unfit(recipe)
+    given = study if isinstance(study, Recipe) else load_recipe(study)
+    _refuse_unfit(given)
     place, told = Folder(folder), Told()
     with place.locked():
-        if place.same(recipe, "optimise"):
-            _refuse_other_search(place, recipe)
-        recipe, about = prepare(place, recipe, "optimise")
+        if place.same(given, "optimise"):
+            _refuse_other_search(place, given)
+        recipe, about = prepare(place, given, "optimise")
         place.part("asked")
         with engine(jobs, scheduler) as client:
             search, first = Search(recipe), 0
@@ -152,7 +152,7 @@ def optimise(
                     now = compute_rows(
                         client, recipe, samples, place.rows, about, errors=recipe.errors,
                         seconds=about["seconds_of_first"], shard_seconds=shard_seconds,
-                        what=f"generation {generation + 1}", shown=progress,
+                        what=f"generation {generation + 1}", shown=progress, look=look_for_names(place, given, about),
                     )  # fmt: skip
                     told.done += now.done
                     told.failed += now.failed

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import os
 from bisect import bisect_left
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 from pathlib import Path
@@ -210,22 +211,25 @@ class Study:
         return indices_of(self.recipe, self.frame)
 
     def status(self) -> dict[str, Any]:
-        """How far the study is."""
+        """How far the study is; ``lacking`` is the commonest figure without a value: how many drives, name, cause."""
         shards = list(self._shards("rows"))
         seconds = sum(about["seconds"] for _, about in shards)
         done = sum(len(table) for table, _ in shards)
-        codes: dict[str, int] = {}
+        failures: Counter[tuple[str, str, str]] = Counter()
         for table, _ in shards:
-            for code in table.column("code").to_pylist():
-                if code:
-                    codes[code] = codes.get(code, 0) + 1
+            failures.update(zip(*(table.column(name).to_pylist() for name in ("code", "place", "cause"))))
+        codes: Counter[str] = Counter()
+        for (code, _, _), count in failures.items():
+            codes[code] += count * bool(code)
+        lacking = [(count, *why) for (code, *why), count in failures.most_common() if code == "figure"]
         total = self.recipe.drives if self.about["kind"] == "run" else None
         return {
             "verb": self.about["kind"],
             "running": self.folder.is_running(),
             "done": done,
             "total": total,
-            "failed": codes,
+            "failed": {code: count for code, count in codes.items() if count},
+            "lacking": lacking[0] if lacking else None,
             "shards": len(shards),
             "worker_seconds": seconds,
             "seconds_left": (total - done) * seconds / done if total and done else None,
