@@ -35,11 +35,11 @@ struct WireArguments
     std::string picture;
 };
 
-/// A scene with [wedm], and its outline where that was solved before.
+/// A scene with [wedm], and its solution where that was stored.
 struct WireInput
 {
     Scene scene;
-    std::optional<CircularSplineOutline> outline;
+    std::optional<Solution> solved;
     std::optional<StoredOutline> of_case;  ///< another ring than the scene's, which is solved
 
     /// The flexspline is cut in two set-ups.
@@ -90,8 +90,10 @@ WireInput stored(CommonOptions const& common, WireArguments const& own)
     auto result = read_outline(own.from);
     auto reading = examine_stored_scene(result, own.from, common.overrides);
     refuse(std::move(reading.faults));
+    if (reading.scene.wedm && reading.scene.wedm->part == WirePart::flexspline)
+        reading.scene.tilt.reset();  // of the circular spline: nothing of the flexspline depends on it
     if (result.verb.empty())
-        return {std::move(reading.scene), std::move(result.outline), {}};
+        return {std::move(reading.scene), std::move(result.solution), {}};
     return {std::move(reading.scene), {}, std::move(result)};
 }
 
@@ -136,13 +138,13 @@ void say_warning(std::string const& warning, bool quiet)
         std::cerr << "hdconj: warning: " << warning << '\n';
 }
 
-/// The set-ups of the part; of the outline that is given, where it is the circular spline's.
+/// The set-ups of the part; those of the circular spline from its stored solution, where there is one.
 WireSetUps programs_of(WireInput const& input, StageObserver const& on_stage)
 {
     if (input.cuts_flexspline())
         return wire_set_ups(input.scene, on_stage);
-    if (input.outline)
-        return {wire_program(input.scene, *input.outline)};
+    if (input.solved)
+        return {wire_program(input.scene, *input.solved)};
     return wire_set_ups(input.scene, on_stage);
 }
 
@@ -152,7 +154,8 @@ void tell_other_ring(WireInput const& input, std::string const& from, bool quiet
     if (!input.of_case || input.cuts_flexspline())
         return;
     StoredOutline const& stored = *input.of_case;
-    std::string const told = other_ring(stored.outline, stored.side_clearance, input.scene, programs.front());
+    std::string const told =
+        other_ring(stored.solution.circular_spline, stored.side_clearance, input.scene, programs.front());
     if (told.empty())
         return;
     programs.front().warnings.push_back(fmt::format(
@@ -209,7 +212,7 @@ int run_wedm(CommonOptions const& common, WireArguments const& own)
         progress.clear();
         tell_other_ring(input, own.from, common.quiet, cut.programs);
         tell_interference(input, own.from, common.quiet, cut.programs);
-        settle_unfit_dialects(cut.programs, input.scene, dialects, input.outline ? &*input.outline : nullptr);
+        settle_unfit_dialects(cut.programs, input.scene, dialects, input.solved ? &*input.solved : nullptr);
         return cut;
     };
     work.text = [&](WireCut const& cut, Written const&) {

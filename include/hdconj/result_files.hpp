@@ -68,10 +68,11 @@ struct StoredCase
 /// What later work needs of a result file.
 struct StoredOutline
 {
-    std::string scene;              ///< text of the scene that was solved, after --set
-    CircularSplineOutline outline;  ///< bit for bit as it was written
-    std::string verb;  ///< of a result with cases: contact, load or run. The outline is that of a case: side
-                       ///< clearance, tip circle and tilt may differ from the scene's. Empty: solve
+    std::string scene;  ///< text of the scene that was solved, after --set
+    Solution solution;  ///< of it: the circular spline bit for bit as it was written, tip circle, errors of
+                        ///< chords, points, side clearance and cup, notes and judgement
+    std::string verb;   ///< of a result with cases: contact, load or run. The outline is that of a case: side
+                        ///< clearance, tip circle and tilt may differ from the scene's. Empty: solve
     std::optional<double> side_clearance;  ///< that the outline of a case includes, where the file says so [mm]
     std::vector<StoredCase> cases;         ///< of contact or load
     scene::NamedTexts files;               ///< what the files held that the scene names; empty in older results

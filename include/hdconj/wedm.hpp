@@ -170,7 +170,7 @@ struct WireProgram
                                 ///< `tolerance` further off [mm]
     double residual_error = 0;  ///< of the heights of residuals; where there are none, no more than this is left [mm]
     double cup_error = 0;  ///< of the displacement of the sections that an elastic cup bends, an estimate in none of
-                           ///< the others; 0: none, or not known from an outline alone [mm]
+                           ///< the others; 0: none [mm]
     WireStop stop = WireStop::always;     ///< word of the moves with the tag `stop`
     double start_hole_radius = 0;         ///< [mm]
     int teeth = 0;                        ///< tooth spaces around
@@ -225,9 +225,11 @@ using WireSetUps = std::vector<WireProgram>;
 /// @throws NumericalError the drive cannot be solved, or a check failed: all failures in one message
 [[nodiscard]] WireProgram wire_program(Scene const& scene, StageObserver const& on_stage = {});
 
-/// The same with an outline that was solved before, its slices from -b/2 to +b/2.
+/// The same with the circular spline of @p solution, its slices from -b/2 to +b/2. Errors, notes and judgement are
+/// those of @p solution too; what they say of the wire is judged anew for that of @p scene.
+/// @param solution  as StoredOutline has it
 /// @throws InputError also where the slices are not those of the face width
-[[nodiscard]] WireProgram wire_program(Scene const& scene, CircularSplineOutline const& outline);
+[[nodiscard]] WireProgram wire_program(Scene const& scene, Solution const& solution);
 
 /// What a ring that was solved before has in place of the one that is cut, in words: side clearance, tip circle, tilt,
 /// and how far its ends are off the contour [um]. Lengths closer than the contour's error are the same. Where the side

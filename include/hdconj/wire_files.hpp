@@ -56,10 +56,10 @@ struct UnfitDialect
 /// @param programs  of @p scene
 /// @param scene     with [wedm]
 /// @param dialects  that were asked for by name; empty: all that fit
-/// @param outline   of the circular spline, where it has been solved; null: it is solved where it is needed
+/// @param solved    the circular spline, where it has been solved; null: it is solved where it is needed
 /// @throws NumericalError where a named dialect cannot hold them
 void settle_unfit_dialects(WireSetUps& programs, Scene const& scene, std::vector<std::string> const& dialects,
-                           CircularSplineOutline const* outline = nullptr);
+                           Solution const* solved = nullptr);
 
 /// A file of a wire program.
 struct WireFile

@@ -35,7 +35,7 @@ namespace hdconj::judgement {
 [[nodiscard]] std::optional<Note> undercut(Solution const& solution);
 /// Tip land of the circular spline.
 [[nodiscard]] std::optional<Note> land(Solution const& solution);
-/// Narrowest width of the tooth space down to where the wire's centre goes.
-[[nodiscard]] std::optional<Note> narrow_space(Solution const& solution);
+/// Narrowest width of the tooth space down to where the centre of the wire of @p scene goes.
+[[nodiscard]] std::optional<Note> narrow_space(Scene const& scene, Solution const& solution);
 
 }  // namespace hdconj::judgement

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <initializer_list>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -45,15 +44,28 @@ Notes notes_on(UnsolvedPair const& pair)
 
 Notes notes_on(Solution const& solution)
 {
-    return all_of({flank_contact(solution), land(solution), undercut(solution), narrow_space(solution)});
+    return all_of(
+        {flank_contact(solution), land(solution), undercut(solution), narrow_space(solution.scene, solution)});
+}
+
+void replace_note(Notes& notes, NoteCode code, std::optional<Note> const& note)
+{
+    std::erase_if(notes, [&](Note const& each) { return each.code == code; });
+    if (note)
+        notes.push_back(*note);
+    std::ranges::stable_sort(notes, {}, &Note::code);
 }
 
 void judge_late_mesh_again(Notes& notes, Scene const& scene)
 {
-    auto const is_late_mesh = [](Note const& note) { return note.code == NoteCode::late_mesh; };
-    std::erase_if(notes, is_late_mesh);
-    std::ranges::copy_if(judge(scene), std::back_inserter(notes), is_late_mesh);
-    std::ranges::stable_sort(notes, {}, &Note::code);
+    Notes const all = judge(scene);
+    auto const found = std::ranges::find(all, NoteCode::late_mesh, &Note::code);
+    replace_note(notes, NoteCode::late_mesh, found == all.end() ? std::nullopt : std::optional(*found));
+}
+
+void judge_narrow_space_again(Notes& notes, Scene const& scene, Solution const& solution)
+{
+    replace_note(notes, NoteCode::narrow_space, narrow_space(scene, solution));
 }
 
 void raise_tip_circle(UnsolvedPair const& pair, std::vector<std::string> const& wanted, std::string& words,

@@ -46,8 +46,15 @@ struct UnsolvedPair
 /// Domain: a scene with the width of the circular spline.
 [[nodiscard]] std::optional<Note> teeth_end(Scene const& scene, double front);
 
+/// Puts @p note, or nothing, in the place of what @p notes say with @p code.
+void replace_note(Notes& notes, NoteCode code, std::optional<Note> const& note);
+
 /// Puts what judge() says of late mesh in @p scene in the place of what @p notes say of it.
 void judge_late_mesh_again(Notes& notes, Scene const& scene);
+
+/// The narrowest width of a tooth space of @p solution for the wire of @p scene, in the place of what @p notes say of
+/// it.
+void judge_narrow_space_again(Notes& notes, Scene const& scene, Solution const& solution);
 
 /// What @p set, arguments of --set, writes for the key that ends with @p key, ".radial_deformation="; nothing where it
 /// does not write it.

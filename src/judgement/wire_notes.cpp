@@ -28,23 +28,25 @@ std::string wire_name(Scene const& scene)
     return scene.wedm ? "the wire of [wedm]" : "a wire of " + short_number(wire_of(scene).wire_diameter) + " mm";
 }
 
-std::optional<Note> narrow_space(Solution const& solution)
+std::optional<Note> narrow_space(Scene const& scene, Solution const& solution)
 {
-    if (solution.scene.is_reverse())
+    if (scene.is_reverse())
         return std::nullopt;
-    WireRequest const wire = wire_of(solution.scene);
-    PairGeometry const& g = solution.geometry;
+    WireRequest const wire = wire_of(scene);
     double const slot = wire.wire_diameter + 2 * wire.spark_gap;
-    double const deepest = g.circular_spline_inner_radius + g.space_depth - slot / 2;
+    auto const& [z, outlines, landmarks, pieces] = solution.circular_spline;
+    auto const middle = std::ranges::min_element(z, {}, [](double each) { return std::abs(each); });
+    auto const& outline = outlines[static_cast<std::size_t>(middle - z.begin())];
+    double const root = std::ranges::max(outline, {}, [](Vec2 const& p) { return p.norm(); }).norm();
     double narrowest = std::numeric_limits<double>::infinity();
-    for (Vec2 const& p : solution.circular_spline.outline.front())
-        if (p.norm() <= deepest)
+    for (Vec2 const& p : outline)
+        if (p.norm() <= root - slot / 2)
             narrowest = std::min(narrowest, 2 * std::abs(p.x()));
     auto note = note_on(NoteCode::narrow_space, narrowest / slot);
     if (!note)
         return note;
     note->place = "tooth space";
-    note->cause = wire_name(solution.scene) + " cuts a slot of " + short_number(slot) + " mm, and the space is " +
+    note->cause = wire_name(scene) + " cuts a slot of " + short_number(slot) + " mm, and the space is " +
                   short_number(narrowest, 3) + " mm wide";
     note->advice = "take a thinner wire, or a wider tip of the flexspline's tooth";
     return note;

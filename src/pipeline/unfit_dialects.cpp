@@ -14,10 +14,10 @@ namespace hdconj {
 namespace {
 
 /// Whether the wire passes its checks and all @p dialects can hold its program.
-bool fits(Scene const& scene, std::vector<std::string> const& dialects, CircularSplineOutline const* outline)
+bool fits(Scene const& scene, std::vector<std::string> const& dialects, Solution const* solved)
 {
     try {
-        auto const programs = outline != nullptr ? WireSetUps{wire_program(scene, *outline)} : wire_set_ups(scene);
+        auto const programs = solved != nullptr ? WireSetUps{wire_program(scene, *solved)} : wire_set_ups(scene);
         return unfit_dialects(programs, dialects).empty();
     } catch (NumericalError const& error) {
         if (error.code() != ErrorCode::failed_check && !error.is_infeasible())
@@ -29,15 +29,14 @@ bool fits(Scene const& scene, std::vector<std::string> const& dialects, Circular
 }
 
 /// The least of some coarser tolerances with which @p dialects hold the program; nothing where none does.
-std::optional<double> fitting_tolerance(Scene scene, std::vector<std::string> const& dialects,
-                                        CircularSplineOutline const* outline)
+std::optional<double> fitting_tolerance(Scene scene, std::vector<std::string> const& dialects, Solution const* solved)
 {
-    std::optional<CircularSplineOutline> solved;
+    std::optional<Solution> here;
     if (scene.wedm->part == WirePart::flexspline) {
-        outline = nullptr;
-    } else if (outline == nullptr) {
-        solved = solve(wire_scene(scene)).circular_spline;
-        outline = &*solved;
+        solved = nullptr;
+    } else if (solved == nullptr) {
+        here = solve(wire_scene(scene));
+        solved = &*here;
     }
     double& tolerance = scene.wedm->tolerance;
     double const first = tolerance;
@@ -45,7 +44,7 @@ std::optional<double> fitting_tolerance(Scene scene, std::vector<std::string> co
     for (double power = finest; power < scene.drive.module; power *= 10) {
         for (double const digit : {1.0, 2.0, 4.0, 6.0, 8.0}) {
             tolerance = digit * power;
-            if (tolerance > first && check_wedm(scene).empty() && fits(scene, dialects, outline))
+            if (tolerance > first && check_wedm(scene).empty() && fits(scene, dialects, solved))
                 return tolerance;
         }
     }
@@ -68,7 +67,7 @@ Faults check_named_dialects(Scene const& scene)
 }
 
 void settle_unfit_dialects(WireSetUps& programs, Scene const& scene, std::vector<std::string> const& dialects,
-                           CircularSplineOutline const* outline)
+                           Solution const* solved)
 {
     for (auto const& unfit : unfit_dialects(programs, dialects)) {
         if (dialects.empty()) {
@@ -78,7 +77,7 @@ void settle_unfit_dialects(WireSetUps& programs, Scene const& scene, std::vector
                                            : fmt::format("--dialect {} says what to write for it", unfit.name)));
             continue;
         }
-        auto const tolerance = fitting_tolerance(scene, dialects, outline);
+        auto const tolerance = fitting_tolerance(scene, dialects, solved);
         std::string const remedy = tolerance ? fmt::format("wedm.tolerance = {:g}, or ", *tolerance) : "";
         throw NumericalError(ErrorCode::no_room, "wire files", fmt::format("{}, {}", unfit.name, unfit.place),
                              unfit.cause, "write " + remedy + "another dialect");

@@ -10,8 +10,10 @@
 #include "hdconj/judgement.hpp"
 #include "hdconj/scene/reading.hpp"
 #include "hdconj/solve.hpp"
+#include "judgement/judgement.hpp"
 #include "wedm/faces.hpp"
 #include "wedm/pitch_pass.hpp"
+#include "wedm/sharp_corner.hpp"
 #include "wedm/wire_job.hpp"
 
 namespace hdconj {
@@ -102,8 +104,9 @@ void refuse_crossed_axis(Scene const& scene, CircularSplineOutline const& outlin
     throw InputError(std::move(faults));
 }
 
-WireProgram spline_program(Scene const& scene, CircularSplineOutline const& outline)
+WireProgram spline_program(Scene const& scene, Solution const& solution)
 {
+    CircularSplineOutline const& outline = solution.circular_spline;
     wedm::check_slices(scene, outline);
     refuse_crossed_axis(scene, outline);
     wedm::WireJob const job(scene, faces_of(scene, outline));
@@ -113,6 +116,10 @@ WireProgram spline_program(Scene const& scene, CircularSplineOutline const& outl
     WireProgram program = wedm::set_up_program(job, passes, {});
     if (std::string missing = missing_side_clearance(scene); !missing.empty())
         program.warnings.push_back(std::move(missing));
+    program.cup_error = solution.error.cup;
+    program.contour_error += solution.error.side_clearance;
+    program.judgement = solution.judgement;
+    program.notes = solution.notes;
     return program;
 }
 
@@ -135,20 +142,15 @@ WireSetUps flexspline_programs(Scene const& scene, StageObserver const& on_stage
 WireProgram wire_program(Scene const& scene, StageObserver const& on_stage)
 {
     wedm::refuse_wire_faults(scene);
-    Solution const solution = solve(wire_scene(scene), on_stage);
-    WireProgram program = spline_program(scene, solution.circular_spline);
-    program.cup_error = solution.error.cup;
-    program.contour_error += solution.error.side_clearance;
-    program.judgement = solution.judgement;
-    program.notes = solution.notes;
-    return program;
+    return spline_program(scene, solve(wire_scene(scene), on_stage));
 }
 
-WireProgram wire_program(Scene const& scene, CircularSplineOutline const& outline)
+WireProgram wire_program(Scene const& scene, Solution const& solution)
 {
     wedm::refuse_wire_faults(scene);
-    WireProgram program = spline_program(scene, outline);
-    program.judgement = judge(wire_scene(scene));
+    WireProgram program = spline_program(scene, solution);
+    judgement::judge_narrow_space_again(program.judgement, scene, solution);
+    wedm::judge_sharp_corner(program.judgement, wire_scene(scene), solution.circular_spline);
     return program;
 }
 

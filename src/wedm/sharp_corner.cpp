@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sharp_corner.hpp"
 
-#include <algorithm>
 #include <numbers>
 #include <optional>
 
 #include "base/text.hpp"
 #include "hdconj/units.hpp"
+#include "judgement/judgement.hpp"
 #include "judgement/limits.hpp"
 #include "judgement/wire.hpp"
 #include "pitch_pass.hpp"
@@ -60,12 +60,8 @@ std::optional<Note> sharp_corner(Scene const& scene, CircularSplineOutline const
 
 void judge_sharp_corner(Notes& notes, Scene const& scene, CircularSplineOutline const& outline)
 {
-    std::erase_if(notes, [](Note const& note) { return note.code == NoteCode::sharp_corner; });
-    if (scene.is_reverse())
-        return;
-    if (auto const note = sharp_corner(scene, outline))
-        notes.push_back(*note);
-    std::ranges::stable_sort(notes, {}, &Note::code);
+    judgement::replace_note(notes, NoteCode::sharp_corner,
+                            scene.is_reverse() ? std::nullopt : sharp_corner(scene, outline));
 }
 
 }  // namespace hdconj::wedm

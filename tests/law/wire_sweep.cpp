@@ -124,8 +124,9 @@ TEST_CASE("wire sweep: a round wire on the path leaves the outline in both faces
                              {"tilt.angle_deg=0.2", "circular_spline.root_clearance=0.1", "wedm.residual_limit=1"},
                              {"wedm.wire_diameter=0.33", "wedm.residual_limit=1"}}) {
         Scene const scene = builtin_scene(sets);
-        CircularSplineOutline const outline = solve(wire_scene(scene)).circular_spline;
-        WireProgram const program = wire_program(scene, outline);
+        Solution const solution = solve(wire_scene(scene));
+        CircularSplineOutline const& outline = solution.circular_spline;
+        WireProgram const program = wire_program(scene, solution);
         WirePass const& pass = program.passes.back();
         for (bool const upper : {false, true}) {
             ClipperLib::Paths const region = swept(pass, upper, pass.offset, true);

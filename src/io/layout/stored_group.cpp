@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <memory>
+#include <sstream>
 #include <utility>
 
 #include "hdconj/error.hpp"
@@ -103,6 +105,57 @@ CircularSplineOutline outline_of(StoredGroup const& place)
     return result;
 }
 
+/// The table that write_notes() writes, where the root @p result has it.
+Notes judgement_of(StoredGroup const& result)
+{
+    if (!result.holds("notes"))
+        return {};
+    auto const place = result.group("notes");
+    auto const words = [&](char const* name) { return place->list<std::string>(name); };
+    auto const code = words("code"), severity = words("severity"), unit = words("unit"), where = words("place"),
+               cause = words("cause"), advice = words("advice"), set = words("set");
+    auto const figure = place->list<double>("figure"), limit = place->list<double>("limit");
+    for (auto const* const each : {&severity, &unit, &where, &cause, &advice, &set})
+        require(each->size() == code.size(), "lists of notes differ in length");
+    require(figure.size() == code.size() && limit.size() == code.size(), "lists of notes differ in length");
+    Notes notes;
+    for (std::size_t i = 0; i < code.size(); ++i) {
+        auto const known = from_word<NoteCode>(code[i]);
+        auto const grave = from_word<Severity>(severity[i]);
+        require(known && grave, "a note has an unknown code or severity");
+        std::istringstream keys(set[i]);
+        notes.push_back({*known,
+                         *grave,
+                         figure[i],
+                         limit[i],
+                         unit[i],
+                         where[i],
+                         cause[i],
+                         advice[i],
+                         {std::istream_iterator<std::string>(keys), {}}});
+    }
+    return notes;
+}
+
+/// What the root @p result, of the format @p version, holds of the solution but for its scene. Older formats may lack
+/// a figure.
+Solution solution_of(StoredGroup const& result, int version)
+{
+    Solution solution;
+    auto const summary = result.group("summary");
+    for (auto const& [name, value] : {std::pair("tip_radius_mm", &solution.geometry.circular_spline_inner_radius),
+                                      {"error_chord_mm", &solution.error.chord},
+                                      {"error_point_mm", &solution.error.point},
+                                      {"error_side_clearance_mm", &solution.error.side_clearance},
+                                      {"error_cup_mm", &solution.error.cup}})
+        if (version == format_version || summary->has_attribute(name))
+            *value = summary->attribute<double>(name);
+    if (result.has_attribute("notes"))
+        solution.notes = result.attribute<std::vector<std::string>>("notes");
+    solution.judgement = judgement_of(result);
+    return solution;
+}
+
 /// The cases of the group @p place of contact or load; none in a file of the first format.
 std::vector<StoredCase> cases_of(StoredGroup const& place)
 {
@@ -165,9 +218,12 @@ StoredOutline stored_outline(StoredGroup const& result)
         format != "hdconj-neutral-curve",
         "it holds the neutral curve of a wanted scene; take the drive that hdconj solve --completed DRIVE.toml writes");
     require(format == "hdconj", "it is of another program");
-    require(result.attribute<int>("format_version") <= format_version, "it was written by a newer version");
+    int const version = result.attribute<int>("format_version");
+    require(version <= format_version, "it was written by a newer version");
     auto const spline = result.group("circular_spline");
-    StoredOutline stored{result.attribute<std::string>("scene"), outline_of(*spline), {}, {}, {}, files_of(result)};
+    StoredOutline stored{
+        result.attribute<std::string>("scene"), solution_of(result, version), {}, {}, {}, files_of(result)};
+    stored.solution.circular_spline = outline_of(*spline);
     for (auto const& [group, verb] : {std::pair("contact", "contact"), {"load", "load"}, {"running", "run"}})
         if (result.holds(group))
             stored.verb = verb;

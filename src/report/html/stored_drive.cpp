@@ -43,33 +43,6 @@ Json stored_parts(StoredGroup const& result)
     return parts;
 }
 
-/// A figure of the summary that the page cannot do without.
-double summary_figure(Json const& attributes, char const* name)
-{
-    require(attributes.contains(name) && attributes.at(name).is_number(), "its summary has gaps");
-    return attributes.at(name).get<double>();
-}
-
-Notes stored_notes(Json const& solve)
-{
-    Notes notes;
-    if (!solve.at("groups").contains("notes"))
-        return notes;
-    Json const& columns = solve.at("groups").at("notes").at("datasets");
-    auto const text = [&](char const* name, std::size_t i) -> std::string {
-        return columns.at(name).at("texts").at(i).get<std::string>();
-    };
-    for (std::size_t i = 0; i < columns.at("cause").at("texts").size(); ++i) {
-        Note& note = notes.emplace_back();
-        note.code = from_word<NoteCode>(text("code", i)).value_or(note.code);
-        note.severity = from_word<Severity>(text("severity", i)).value_or(Severity::warning);
-        note.place = text("place", i);
-        note.cause = text("cause", i);
-        note.advice = text("advice", i);
-    }
-    return notes;
-}
-
 }  // namespace
 
 bool is_result_file(std::filesystem::path const& file)
@@ -93,16 +66,8 @@ ReportedDrive drive_from(StoredGroup const& result, std::filesystem::path const&
     auto const made = std::make_shared<report::StoredResult>();
     ReportedDrive drive;
     drive.stored = made;
-    Solution& solution = drive.solution;
     try {
         made->parts = stored_parts(result);
-        Json const& solve = made->parts.at("solve");
-        Json const& summary = solve.at("groups").at("summary").at("attributes");
-        solution.geometry.circular_spline_inner_radius = summary_figure(summary, "tip_radius_mm");
-        solution.error.chord = summary_figure(summary, "error_chord_mm");
-        solution.error.point = summary_figure(summary, "error_point_mm");
-        solution.judgement = stored_notes(solve);
-        solution.notes = solve.at("attributes").value("notes", std::vector<std::string>{});
         drive.origin =
             fmt::format("Read from {}, which hdconj {} wrote at {}.", file.filename().string(),
                         result.attribute<std::string>("program_version"), result.attribute<std::string>("date"));
@@ -116,8 +81,8 @@ ReportedDrive drive_from(StoredGroup const& result, std::filesystem::path const&
                                            reading.faults.size(), reading.faults.size() == 1 ? "" : "s",
                                            reading.faults.front().path + " " + reading.faults.front().reason),
                                "solve a scene of this version anew"});
-    solution.scene = std::move(reading.scene);
-    solution.circular_spline = std::move(stored.outline);
+    drive.solution = std::move(stored.solution);
+    drive.solution.scene = std::move(reading.scene);
     return drive;
 }
 

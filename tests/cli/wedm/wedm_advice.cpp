@@ -111,4 +111,19 @@ TEST_CASE("wedm says how far a machine has to travel, and which lead-in is enoug
     CHECK(within(advised(narrow, "write at least wedm.largest_travel"), "3").status == 0);
 }
 
+TEST_CASE("wedm cuts the upright flexspline of a stored drive with a tilted circular spline", "[wedm]")
+{
+    TemporaryFolder const folder;
+    REQUIRE(hdconj::test::hdconj_run("solve --set tilt.angle_deg=0.2 --set slices.count=3 -o tilted.h5 --quiet",
+                                     folder.path())
+                .status == 0);
+    auto const figures = [&](std::string const& arguments) {
+        auto const done = wedm(arguments + " --part flexspline --json --quiet", folder);
+        INFO(done.err);
+        REQUIRE(done.status == 0);
+        return json::parse(done.out);
+    };
+    CHECK(figures("--from tilted.h5") == figures(""));
+}
+
 }  // namespace hdconj::test::wedm_advice_cases

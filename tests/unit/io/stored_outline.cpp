@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fstream>
 #include <memory>
+#include <tuple>
 
 #include "hdconj/contact_files.hpp"
 #include "hdconj/error.hpp"
@@ -41,12 +42,30 @@ TEST_CASE("a stored outline is read back bit for bit, with its scene", "[wire]")
     solution.scene.text = "[drive]\nname = \"\xc3\xa4\"\n";
     auto const table = std::make_shared<std::string const>("# \xb5\n0,1\n\n2,3");  // not all is UTF-8
     solution.scene.files = {{"a.csv", table}, {"none.csv", nullptr}};
+    solution.error.cup = 0.0037;
+    solution.error.side_clearance = 2e-7;
+    solution.notes = {"one", "two \xc3\xa4"};
+    solution.judgement = {{NoteCode::land, Severity::warning, 0.1, 0.2, "1", "here", "cause", "advice", {"a=1", "b=2"}},
+                          {NoteCode::undercut, Severity::information, 3, 4, "deg", "", "why", "", {}}};
     write_hdf5(solution, folder / "a.h5");
     auto const one = read_outline(folder / "a.h5");
     CHECK(one.scene == solution.scene.text);
     REQUIRE(one.files.size() == 1);
     CHECK(*one.files.at("a.csv") == *table);
-    check_same(one.outline, solution.circular_spline);
+    check_same(one.solution.circular_spline, solution.circular_spline);
+    Solution const& read = one.solution;
+    CHECK(read.geometry.circular_spline_inner_radius == solution.geometry.circular_spline_inner_radius);
+    CHECK(read.error.cup == solution.error.cup);
+    CHECK(read.error.side_clearance == solution.error.side_clearance);
+    CHECK(read.error.chord == solution.error.chord);
+    CHECK(read.error.point == solution.error.point);
+    CHECK(read.notes == solution.notes);
+    REQUIRE(read.judgement.size() == 2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        Note const &a = read.judgement[i], &b = solution.judgement[i];
+        CHECK(std::tie(a.code, a.severity, a.figure, a.limit, a.unit, a.place, a.cause, a.advice, a.set) ==
+              std::tie(b.code, b.severity, b.figure, b.limit, b.unit, b.place, b.cause, b.advice, b.set));
+    }
     CHECK(one.verb.empty());
     CHECK_FALSE(one.side_clearance);
 }
@@ -61,7 +80,7 @@ TEST_CASE("a stored outline of a case says so, and its side clearance", "[wire]"
     write_hdf5(contact, folder / "contact.h5");
     write_hdf5(load, folder / "load.h5");
     auto const of_contact = read_outline(folder / "contact.h5"), of_load = read_outline(folder / "load.h5");
-    check_same(of_contact.outline, contact.solution.circular_spline);
+    check_same(of_contact.solution.circular_spline, contact.solution.circular_spline);
     CHECK(of_contact.verb == "contact");
     CHECK(of_contact.side_clearance == 0.03);
     CHECK(of_load.verb == "load");

@@ -350,12 +350,12 @@ TEST_CASE("an outline solved before gives the same program", "[wedm]")
 {
     Scene const scene = builtin_scene({"tilt.angle_deg=0.2"});
     Solution const solution = solve(wire_scene(scene));
-    WireProgram const again = wire_program(scene, solution.circular_spline);
+    WireProgram const again = wire_program(scene, solution);
     WireProgram const once = wire_program(scene);
     CHECK(again.nominal.lower == once.nominal.lower);
     CHECK(again.passes.front().moves.size() == once.passes.front().moves.size());
     // the outline of one slice is no tilted part
-    CHECK_THROWS_AS(wire_program(scene, solve(builtin_scene()).circular_spline), InputError);
+    CHECK_THROWS_AS(wire_program(scene, solve(builtin_scene())), InputError);
 }
 
 TEST_CASE("a thicker workpiece has the same toothing", "[wedm]")
