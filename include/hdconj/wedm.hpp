@@ -128,7 +128,7 @@ struct WireFigures
     double ruling_error = 0;  ///< of straight lines between the faces from the true sections: that of the surface
                               ///< itself; NaN as well
     double normal_angle = 0;  ///< largest angle between matched edges of the faces [rad]
-    double constant_taper_error = 0;   ///< what a machine's constant taper (G51) would be wrong by on the flanks of the
+    double constant_taper_error = 0;   ///< what a machine's constant taper (G51) would be wrong by on the walls of the
                                        ///< upper face; NaN: not determined, such a taper cuts the flanks away
     double constant_taper_spread = 0;  ///< estimated error of that, from how it differs between neighbouring points;
                                        ///< that of the contours comes on top, twice

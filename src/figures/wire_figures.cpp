@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "number_text.hpp"
 #include "wedm/program_words.hpp"
@@ -96,7 +97,7 @@ Rows<MeasuredProgram> wire_check_figures()
         found<&Figures::normal_angle>("matched_edges_turn", degree, "largest angle between matched edges",
                                       {"matched edges turn by", decimals<4>}),
         found<&Figures::constant_taper_error>("constant_taper_error", um,
-                                              "what G51 would be wrong by on the flanks of the upper face",
+                                              "what G51 would be wrong by on the walls of the upper face",
                                               {"constant taper", significant<3>}),
         Row{"constant_taper_known_to", um, "how well that is known",
             [](Of of) { return wedm::taper_known_to(of.program, of.figures); }}
@@ -173,6 +174,15 @@ std::vector<std::string> wire_warnings(WireProgram const& program, std::vector<W
             *same = &file;
     }
     std::vector<std::string> warnings = program.warnings;
+    if (std::isnan(program.figures.middle_error))
+        warnings.emplace_back(
+            "the cut between the faces was not checked: the outline has no slice between its ends; solve it with "
+            "slices.count = 3 or more");
+    else if (program.figures.middle_error > program.tolerance)
+        warnings.push_back(fmt::format(
+            "a straight wire cuts up to {} off the true sections between the faces, more than wedm.tolerance = {}: "
+            "wedm.surface_limit accepts it",
+            um_text(program.figures.middle_error), um_text(program.tolerance)));
     for (WireFile const* const file : worst)
         if (program.tolerance > 0 && file->cut_error > program.tolerance)
             warnings.push_back(fmt::format(

@@ -108,10 +108,11 @@ struct LargestDistance
     double value = 0, spread = 0;
 };
 
-/// What constant taper (G51) would be wrong by: it moves every flank off the lower contour by what the tip land moves
-/// between the faces, and the flanks of the upper face lie off it by another distance [mm]. One place of each edge is
+/// What constant taper (G51) would be wrong by: it moves every wall off the lower contour by what the tip land moves
+/// between the faces, and the walls of the upper face lie off it by another distance [mm]. A wall is a flank, or what a
+/// corner of the other tooth makes between land and root. One place of each edge is
 /// looked at: between two the difference may be larger by about as much as theirs differ. NaN where less than half of
-/// the flank is left, moved so: the rest lies nearer to another part of the lower contour and is cut away.
+/// the walls is left, moved so: the rest lies nearer to another part of the lower contour and is cut away.
 [[nodiscard]] LargestDistance constant_taper_error(WireFaces const& faces);
 
 /// Chord error at the guides, where moves between @p kept points of @p path are straight as well: largest distance of a

@@ -27,6 +27,8 @@ struct WireFaces
                             ///< external clockwise
     std::vector<std::size_t> marks;       ///< land corners, flank ends, middle of the space: indices, increasing
     std::vector<char> meshing;            ///< (n) 1: on a flank
+    std::vector<char> wall;               ///< (n) 1: between land and root, made by a flank or a corner of the other
+                                          ///< tooth; empty where both faces are the same
     std::vector<SectionBetween> between;  ///< of the true surface
     bool knows_sections = true;           ///< false: no slice between two that differ, and no straight lines join them
 

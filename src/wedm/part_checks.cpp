@@ -124,17 +124,17 @@ LargestDistance constant_taper_error(WireFaces const& faces)
     SegmentGrid const lower = neighbourhood(low, faces);
     double const shift = up.front().norm() - low.front().norm();
     constexpr double reached = 0.999;  // of the shift: what is nearer to another place than its own is cut away
-    double flank = 0, kept = 0;        // length in the lower face, and that of what a taper leaves of it
+    double walls = 0, kept = 0;        // length in the lower face, and that of what a taper leaves of it
     LargestDistance worst;
-    double before = -1;  // of the edge before; below 0: it is not on the flank
+    double before = -1;  // of the edge before; below 0: it is on no wall
     bool follows_worst = false;
     for (std::size_t i = 1; i < low.size(); ++i) {
         double here = -1;
-        if (faces.meshing[i] != 0 && faces.meshing[i - 1] != 0) {
+        if (faces.wall[i] != 0 && faces.wall[i - 1] != 0) {
             Vec2 const edge = low[i] - low[i - 1], out = right_of(edge.normalized());
             Vec2 const from = 0.5 * (low[i - 1] + low[i]), to = 0.5 * (up[i - 1] + up[i]);
             here = std::abs(std::copysign(lower.distance(to), out.dot(to - from)) - shift);
-            flank += edge.norm();
+            walls += edge.norm();
             kept += lower.distance(from + shift * out) >= reached * std::abs(shift) ? edge.norm() : 0;
         }
         if (here > worst.value) {
@@ -147,7 +147,7 @@ LargestDistance constant_taper_error(WireFaces const& faces)
         before = here;
     }
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    return kept < flank / 2 ? LargestDistance{unknown, unknown} : worst;
+    return kept < walls / 2 || walls == 0 ? LargestDistance{unknown, unknown} : worst;
 }
 
 }  // namespace hdconj::wedm

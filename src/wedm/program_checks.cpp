@@ -13,6 +13,7 @@
 #include "checks.hpp"
 #include "hdconj/base/tolerance.hpp"
 #include "hdconj/error.hpp"
+#include "hdconj/units.hpp"
 #include "passes.hpp"
 #include "segment_grid.hpp"
 
@@ -71,10 +72,10 @@ void check_ends(WirePass const& pass, bool closed, WireFailures& failures)
                          place_text(path.back().lower)));
 }
 
-/// The next length that is told, above @p length by more than its rounding [mm].
-double told_above(double length)
+/// The next length in mm or angle in degrees that is told, above @p figure by more than its rounding.
+double told_above(double figure)
 {
-    return (std::floor(length * told_per_mm) + 1) / told_per_mm;
+    return (std::floor(figure * told_per_mm) + 1) / told_per_mm;
 }
 
 /// Where guides come along the part.
@@ -89,14 +90,10 @@ Eigen::AlignedBox2d reach_of(WireProgram const& program)
     return reach;
 }
 
-/// A machine that travels far enough; in a ring also the shortest lead-in that is enough for the machine, or, where
-/// none is, the travel from the axis, which is the least.
-void add_travel_remedy(MachineLimits const& limits, WireProgram const& program, WireFailure& failure)
+/// In a ring also the shortest lead-in that is enough for the machine, or, where none is, the travel from the axis,
+/// which is the least.
+void add_nearer_start(MachineLimits const& limits, WireProgram const& program, WireFailure& failure)
 {
-    failure.remedy = fmt::format("write at least wedm.largest_travel = {:.7g} for a machine that has it",
-                                 told_above(program.figures.travel));
-    if (program.external)
-        return;
     std::vector<WireMove> const& moves = program.passes.front().moves;
     Vec2 const land = moves[1].lower.normalized();
     Eigen::AlignedBox2d const reach = reach_of(program);
@@ -205,21 +202,25 @@ WireFailures check_machine(MachineLimits const& limits, WireProgram& program)
     program.figures = measured(program);
     WireFigures const& figures = program.figures;
     WireFailures failures;
-    auto const check = [&](double figure, double limit, char const* what) {
+    // in the unit of the key @p key
+    auto const check = [&](double figure, double limit, char const* what, char const* key) {
         if (figure > limit)
-            failures.emplace_back("machine: " + fmt::format(fmt::runtime(what), figure, limit));
+            failures.emplace_back(
+                fmt::format("machine: {} ({})", fmt::format(fmt::runtime(what), figure, limit), key),
+                fmt::format("write at least {} = {:.7g} for a machine that has it", key, told_above(figure)));
     };
-    check(figures.tilt, limits.tilt,
-          "the wire would be tilted by {:.6g} rad, and the machine tilts it by {:.6g} rad at most "
-          "(wedm.largest_tilt_deg)");
+    check(to_deg(figures.tilt), to_deg(limits.tilt),
+          "the wire would be tilted by {:.7g} degrees, and the machine tilts it by {:.7g} degrees at most",
+          "wedm.largest_tilt_deg");
     check(figures.travel, limits.travel,
-          "a guide would travel {:.6g} mm from the start hole, and the machine {:.6g} mm at most "
-          "(wedm.largest_travel)");
-    if (figures.travel > limits.travel)
-        add_travel_remedy(limits, program, failures.back());
+          "a guide would travel {:.6g} mm from the start hole, and the machine {:.6g} mm at most",
+          "wedm.largest_travel");
+    if (figures.travel > limits.travel && !program.external)
+        add_nearer_start(limits, program, failures.back());
     check(figures.uv_travel, limits.uv_travel,
           "the upper guide would stand {:.6g} mm off the lower one along an axis, and the machine moves it by {:.6g} "
-          "mm at most (wedm.largest_uv_travel)");
+          "mm at most",
+          "wedm.largest_uv_travel");
     return failures;
 }
 

@@ -45,10 +45,6 @@ void trim(WireFaces& faces)
     TrimmedPath const trimmed = without_loops(faces.pitch);
     if (trimmed.path.size() == faces.pitch.size())
         return;
-    std::vector<char> meshing;
-    for (double const at : trimmed.at)
-        meshing.push_back(
-            at < 0 ? 0 : faces.meshing[static_cast<std::size_t>(at)]);  // where it was folded there is no flank
     for (SectionBetween& between : faces.between) {
         std::vector<Vec2> points;
         for (std::size_t i = 0; i < trimmed.at.size(); ++i) {
@@ -68,7 +64,12 @@ void trim(WireFaces& faces)
             --i;
         mark = i;
     }
-    faces.meshing = std::move(meshing);
+    for (std::vector<char>* const marked : {&faces.meshing, &faces.wall}) {
+        std::vector<char> kept;
+        for (double const at : trimmed.at)  // where it was folded there is no flank
+            kept.push_back(at < 0 ? 0 : (*marked)[static_cast<std::size_t>(at)]);
+        *marked = std::move(kept);
+    }
     faces.pitch = trimmed.path;
 }
 
@@ -116,6 +117,11 @@ WireFaces wire_faces(CircularSplineOutline const& outline, int teeth, double thi
     faces.meshing.assign(last + 1, 0);
     mark_flank(faces, faces.marks[0], faces.marks[1]);
     mark_flank(faces, faces.marks[3], faces.marks[4]);
+    faces.wall.assign(last + 1, 0);
+    for (OutlinePiece const& piece : outline.pieces)
+        if (piece.kind == "flank" || piece.kind == "corner")
+            for (std::size_t i = piece.first; i <= piece.last; ++i)
+                faces.wall[last - i] = 1;
     for (std::size_t k = 1; k + 1 < outline.outline.size(); ++k)
         faces.between.push_back({(outline.z[k] - outline.z.front()) / (outline.z.back() - outline.z.front()),
                                  reversed(outline.outline[k])});

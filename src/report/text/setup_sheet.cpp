@@ -2,6 +2,7 @@
 #include "setup_sheet.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <sstream>
 #include <utility>
@@ -135,7 +136,7 @@ std::vector<std::string> broken(std::string const& text)
     return lines;
 }
 
-/// What the cut of any file may be off the faces.
+/// What the cut of any file may be off both faces.
 std::string cut_text(MeasuredProgram const& first, std::vector<WireFile> const& files)
 {
     Told const told(figures::wire_check_figures(), first);
@@ -147,11 +148,23 @@ std::string cut_text(MeasuredProgram const& first, std::vector<WireFile> const& 
     return text + drift + "tolerance " + told.with_unit("tolerance");
 }
 
+/// What the cut is off the true sections between the faces.
+std::string between_text(MeasuredProgram const& first)
+{
+    if (std::isnan(first.figures.middle_error))
+        return "the cut between the faces was NOT CHECKED";
+    return "at most " + Told(figures::wire_check_figures(), first).with_unit("middle_error") +
+           " off the true sections between the faces, corners apart";
+}
+
 SheetTable check_table(WireSetUps const& programs, MeasuredProgram const& first, std::vector<WireFile> const& files)
 {
     SheetTable table{"Known before cutting", {}};
-    if (first.program.tolerance > 0)
+    if (first.program.tolerance > 0) {
         table.rows.push_back({"cut", cut_text(first, files)});
+        if (!is_untilted(first.program))
+            table.rows.push_back({"between", between_text(first)});
+    }
     double highest = 0;
     for (WireProgram const& program : programs)
         for (Residual const& residual : program.residuals)

@@ -137,15 +137,15 @@ void write_checks(Page& page, MeasuredProgram const& first)
         if (std::isnan(found.constant_taper_error))
             page.figure(rows["constant_taper_error"].text.label, "not determined", "G51 would cut the flanks away");
         else
-            line("constant_taper_error",
-                 fmt::format("+- {}; what G51 would be wrong by on the flanks of the upper face",
-                             told.with_unit("constant_taper_known_to")));
+            line("constant_taper_error", fmt::format("+- {}; what G51 would be wrong by on the walls of the upper face",
+                                                     told.with_unit("constant_taper_known_to")));
     }
     page.figure(travels["travel"], first,
                 "of a guide along an axis; upper against lower guide " + Told(travels, first).with_unit("uv_travel"));
 }
 
-void write_wire_files_list(Page& page, std::vector<WireFile> const& files)
+/// @param between  whether the faces differ, so that there is a figure of the cut between them
+void write_wire_files_list(Page& page, std::vector<WireFile> const& files, bool between)
 {
     if (files.empty())
         return;
@@ -160,7 +160,8 @@ void write_wire_files_list(Page& page, std::vector<WireFile> const& files)
                   told("drift"), told("cut_error"), file.verified() ? file.verified_by : "not verified on hardware");
     }
     page.line("  drift: largest distance of the path read back from the exact one, all along it, both faces");
-    page.line("  cut: what the cut off the faces and the drift come to, at most");
+    page.line("  cut: what the cut off the faces and the drift come to, at most{}",
+              between ? "; between the faces the drift adds to the figure above" : "");
 }
 
 }  // namespace
@@ -184,7 +185,7 @@ std::string summary_text(WireSetUps const& programs, std::vector<WireFile> const
         page.line("  WARNING: {}", warning);
     report::write_notes(page, first.program.notes);
     report::write_judgement(page, first.program.judgement);
-    report::write_wire_files_list(page, files);
+    report::write_wire_files_list(page, files, first.figures.face_shift > 0);
     for (auto const& dialect : first.program.left_out)
         page.line("  left out: {}", dialect);
     return page.text();

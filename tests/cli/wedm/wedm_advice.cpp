@@ -111,6 +111,19 @@ TEST_CASE("wedm says how far a machine has to travel, and which lead-in is enoug
     CHECK(within(advised(narrow, "write at least wedm.largest_travel"), "3").status == 0);
 }
 
+TEST_CASE("wedm says how far a machine has to tilt its wire and to move its upper guide", "[wedm]")
+{
+    TemporaryFolder const folder;
+    // a tilt as large as the limit is beyond it by rounding
+    for (std::string const tilted : {"--tilt 0.3 --quiet --set wedm.largest_tilt_deg=0.3",
+                                     "--tilt -0.3 --quiet --set wedm.largest_uv_travel=0.1"}) {
+        std::string const refused = wedm(tilted, folder).err, key = tilted.substr(tilted.rfind(" wedm.") + 1);
+        std::string const name = key.substr(0, key.find('='));
+        CHECK((refused.find("degrees") != std::string::npos) == (name == "wedm.largest_tilt_deg"));
+        CHECK(wedm(tilted + " --set " + name + "=" + advised(refused, "write at least " + name), folder).status == 0);
+    }
+}
+
 TEST_CASE("wedm cuts the upright flexspline of a stored drive with a tilted circular spline", "[wedm]")
 {
     TemporaryFolder const folder;

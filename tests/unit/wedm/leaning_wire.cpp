@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wires that lean far: the ellipse that they cut in the plane of a face, and what a constant taper would do in their
-// place.
+// Wires that lean: the ellipse that they cut in the plane of a face, what they cut between the faces, and what a
+// constant taper would do in their place.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,11 @@
 #include <numbers>
 
 #include "hdconj/read_scene.hpp"
+#include "hdconj/solve.hpp"
 #include "hdconj/wedm.hpp"
 #include "hdconj/wire_files.hpp"
 #include "support/catch.hpp"
+#include "support/polyline.hpp"
 #include "wedm/offset_path.hpp"
 
 namespace hdconj::test::leaning_wire_cases {
@@ -102,6 +104,56 @@ TEST_CASE("what constant taper would be wrong by grows with the tilt until it wo
         CHECK(nlohmann::json::parse(summary_json({program})).at("checks").at("constant_taper_error_um").is_null());
         CHECK_THAT(summary_text({program}), ContainsSubstring("not determined   G51 would cut the flanks away"));
     }
+}
+
+TEST_CASE("where corners alone make the walls, constant taper is measured on these", "[wedm]")
+{
+    for (std::string const w0 : {"0.15", "0.165"}) {
+        INFO(w0);
+        WireProgram const program =
+            wire_program(read_scene(HDCONJ_SOURCE_DIR "/data/scenes/straight.toml",
+                                    {"tilt.angle_deg=0.5", "wedm.wire_diameter=0.05", "wedm.spark_gap=0.004",
+                                     "wedm.residual_limit=0.1", "circular_spline.width=7",
+                                     "flexspline.profile.addendum=0.12", "wave_generator.radial_deformation=" + w0}));
+        std::vector<Vec2> const &lower = program.nominal.lower, &upper = program.nominal.upper;
+        FaceRadii const& face = program.figures.upper;
+        double const shift = face.inner - program.figures.lower.inner, depth = face.outer - face.inner;
+        double wrong = 0;
+        std::size_t const pitch = lower.size() / static_cast<std::size_t>(program.teeth);
+        for (std::size_t i = pitch; i < 2 * pitch; ++i) {
+            double const height = (upper[i].norm() - face.inner) / depth;
+            if (height < 1e-3 || height > 0.95)
+                continue;
+            double nearest = std::numeric_limits<double>::infinity();
+            for (std::size_t k = 1; k < 3 * pitch; ++k)
+                nearest = std::min(nearest, distance_to_segment(lower[k - 1], lower[k], upper[i]));
+            wrong = std::max(wrong, std::abs(shift - nearest));
+        }
+        CHECK(wrong > 0.3 * shift);
+        CHECK(program.figures.constant_taper_error == Approx(wrong).margin(2 * program.tolerance));
+    }
+}
+
+TEST_CASE("the setup sheet says how far the cut is off between the faces, and warns beyond the tolerance", "[wedm]")
+{
+    std::vector<std::string> const drafted{"tilt.angle_deg=1", "tilt.kind=draft", "wedm.surface_limit=0.1"};
+    WireProgram const wrong = wire_program(builtin_scene(drafted)),
+                      good = wire_program(builtin_scene({"tilt.angle_deg=0.2"})),
+                      upright = wire_program(builtin_scene());
+    REQUIRE(wrong.figures.middle_error > wrong.tolerance);
+    std::string const told = "a straight wire cuts up to ";
+    CHECK_THAT(setup_sheet_text({wrong}, {}), ContainsSubstring("off the true sections between the faces, corners") &&
+                                                  ContainsSubstring("WARNING") && ContainsSubstring(told));
+    CHECK_THAT(setup_sheet_text({good}, {}),
+               ContainsSubstring("off the true sections between the faces, corners") && !ContainsSubstring(told));
+    CHECK_THAT(setup_sheet_text({upright}, {}), !ContainsSubstring("between the faces"));
+    std::vector<std::string> sets = drafted;
+    sets.emplace_back("slices.count=2");
+    WireProgram const unchecked = wire_program(builtin_scene(drafted), solve(builtin_scene(sets)));
+    CHECK_THAT(setup_sheet_text({unchecked}, {}), ContainsSubstring("the cut between the faces was NOT CHECKED") &&
+                                                      ContainsSubstring("slices.count = 3 or more"));
+    CHECK_THAT(nlohmann::json::parse(summary_json({unchecked})).at("warnings").dump(),
+               ContainsSubstring("the cut between the faces was not checked"));
 }
 
 }  // namespace hdconj::test::leaning_wire_cases
