@@ -13,6 +13,7 @@
 #include <span>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "base/text.hpp"
 #include "evaluation.hpp"
@@ -38,13 +39,52 @@ std::optional<std::array<double, 2>> faces_of(Scene const& scene, bool space)
     return std::array{begin - middle, end - middle};
 }
 
+/// Remainder from 0 on.
+int remainder(int number, int teeth)
+{
+    return (number % teeth + teeth) % teeth;
+}
+
+/// @param places  the tooth of the part at which each number of the file stands
+/// @throws InputError where the numbers do not count the teeth clockwise
+void refuse_other_order(std::map<int, int> const& places, NominalPart const& part, std::string const& file)
+{
+    std::map<int, std::size_t> clockwise, counter;  // how many numbers go with each number of the part's first tooth
+    for (auto const& [number, place] : places) {
+        ++clockwise[remainder(number - place, part.teeth)];
+        ++counter[remainder(number + place, part.teeth)];
+    }
+    if (clockwise.size() < 2)
+        return;
+    auto const usual = *std::ranges::max_element(clockwise, {}, [](auto const& each) { return each.second; });
+    auto const odd = std::ranges::find_if(
+        places, [&](auto const& each) { return remainder(each.first - each.second, part.teeth) != usual.first; });
+    char const *const one = part.space ? "space" : "tooth", *const several = part.space ? "spaces" : "teeth";
+    Fault fault{"column tooth", 0, std::to_string(odd->first), "", "", file};
+    if (counter.size() == 1) {
+        fault.reason = fmt::format("the numbers run counter-clockwise, and {} are counted clockwise", several);
+        fault.remedy = fmt::format("write {} less each number, or leave the column out", part.teeth + 1);
+    } else {
+        fault.reason = fmt::format("{} of {} numbers do not count the {} clockwise", places.size() - usual.second,
+                                   places.size(), several);
+        if (2 * usual.second > places.size())
+            fault.reason += fmt::format(": by the others this {} is number {}", one,
+                                        1 + remainder(usual.first + odd->second - 1, part.teeth));
+        fault.remedy = fmt::format(
+            "count every {} clockwise, those that were not measured too, or leave the column "
+            "out",
+            one);
+    }
+    throw InputError(std::move(fault));
+}
+
 }  // namespace
 
 PointFile of_own_layer(PointFile const& measured, InspectedPart part)
 {
     if (measured.layers.size() < 2)
         return measured;
-    std::string const own = part == InspectedPart::circular_spline ? "CIRCULAR_SPLINE" : "FLEXSPLINE_TOOTH";
+    std::string const own = part == InspectedPart::circular_spline ? "CIRCULAR_SPLINE" : flexspline_layer;
     auto const found = std::ranges::find(measured.layers, own);
     if (found == measured.layers.end()) {
         constexpr std::size_t most_named = 8;
@@ -154,7 +194,7 @@ void refuse_mixed_teeth(PlanePoints const& on, std::vector<PointView> const& vie
             ++places[named][views[i].tooth];
     char const *const one = part.space ? "space" : "tooth", *const several = part.space ? "spaces" : "teeth";
     file::ListedFaults faults(measured.file);
-    std::map<int, int> known;
+    std::map<int, int> known, place_of;
     for (auto const& [named, teeth] : places) {
         auto const most = std::ranges::max_element(teeth, {}, [](auto const& each) { return each.second; });
         std::size_t all = 0;
@@ -166,12 +206,15 @@ void refuse_mixed_teeth(PlanePoints const& on, std::vector<PointView> const& vie
         else if (auto const [there, is_new] = known.emplace(most->first, named);
                  !is_new && most->second >= fewest_points)
             reason = fmt::format("the points of this {} stand on that of number {}", one, there->second);
+        else if (most->second >= fewest_points)
+            place_of.emplace(named, most->first);
         if (!reason.empty())
             faults.add({"column tooth", 0, std::to_string(named), reason,
                         fmt::format("write into each line the number of its {}, or leave the column out", one),
                         measured.file});
     }
     faults.refuse();
+    refuse_other_order(place_of, part, measured.file);
 }
 
 void refuse_planes_outside(std::vector<double> const& z, Scene const& scene, PointFile const& measured,

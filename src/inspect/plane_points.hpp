@@ -10,6 +10,9 @@
 
 namespace hdconj::inspect {
 
+/// Layer of a drawing with points of the flexspline. write_dxf() draws the assembled tooth on it.
+inline constexpr char const* flexspline_layer = "FLEXSPLINE_TOOTH";
+
 /// The points of the planes that are evaluated, and where each stands in the file.
 struct PlanePoints
 {
@@ -36,7 +39,8 @@ void refuse_exchanged_flanks(PlanePoints const& on, PointReader const& read, std
 void refuse_foreign_points(PlanePoints const& on, std::vector<PointView> const& views, NominalPart const& part,
                            std::string const& file);
 
-/// @throws InputError where the points that name one tooth stand on several, or two named teeth are one
+/// @throws InputError where the points that name one tooth stand on several, two named teeth are one, or the numbers do
+/// not count the teeth clockwise
 void refuse_mixed_teeth(PlanePoints const& on, std::vector<PointView> const& views, PointFile const& measured,
                         NominalPart const& part);
 

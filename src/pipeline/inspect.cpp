@@ -98,6 +98,15 @@ Scene finely_drawn(Scene scene)
     return scene;
 }
 
+/// Whether all points of the layer that write_dxf() draws the assembled tooth on stand outside the round one.
+bool is_assembled_tooth(Inspection const& found, PointFile const& measured)
+{
+    return measured.layers == std::vector<std::string>{inspect::flexspline_layer} &&
+           std::ranges::all_of(found.points, [](PointDeviation const& point) {
+               return point.fate != PointFate::used || point.deviation > inspect::plane_thickness;
+           });
+}
+
 void require_finite(Faults& faults, char const* option, std::optional<double> given)
 {
     if (given && !std::isfinite(*given))
@@ -135,6 +144,11 @@ Inspection inspect_points(Scene const& scene, PointFile const& given, InspectOpt
     if (given.layers.size() > measured.layers.size())
         result.notes.push_back(fmt::format("of the {} layers of the drawing {} is read alone", given.layers.size(),
                                            measured.layers.front()));
+    if (is_assembled_tooth(result, measured))
+        result.notes.push_back(fmt::format(
+            "on the layer {} `solve --dxf` draws the assembled tooth at the major axis, further out by the radial "
+            "deformation; here the flexspline is round",
+            inspect::flexspline_layer));
     return result;
 }
 

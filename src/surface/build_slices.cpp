@@ -54,6 +54,25 @@ SurfaceSpec spec_of(Scene const& scene)
     return spec;
 }
 
+/// Whether all slices are the outline at z = 0, moved along its radii at most.
+bool repeats_outline(Scene const& scene, SurfaceSpec const& spec)
+{
+    bool const follows = scene.coning && spec.surface != ToothSurface::tilted;
+    return !follows && !spec.is_drafted();
+}
+
+/// Such slices in other planes: every point moves along a straight line.
+void move_points(CircularSplineOutline& spline, std::vector<double> const& z)
+{
+    std::vector<Vec2> const first = spline.outline.front(), last = spline.outline.back();
+    double const begin = spline.z.front(), width = spline.z.back() - begin;
+    spline.z = z;
+    spline.outline.assign(z.size(), first);
+    for (std::size_t k = 0; k < z.size(); ++k)
+        for (std::size_t i = 0; i < first.size(); ++i)
+            spline.outline[k][i] += (z[k] - begin) / width * (last[i] - first[i]);
+}
+
 }  // namespace
 
 void write_outlines(Solution& out, conjugate::MatchedOutline const& outline, profile::Profile const& tooth,
@@ -76,8 +95,7 @@ void build_slices(Solution& out, profile::Profile const& tooth, wavegen::AnyWave
     Scene const& scene = out.scene;
     std::vector<double> const z = slice_places(scene.slices->count, scene.circular_spline.width.value_or(0));
     SurfaceSpec const spec = spec_of(scene);
-    bool const follows = scene.coning && spec.surface != ToothSurface::tilted;
-    if (!follows && !spec.is_drafted())
+    if (repeats_outline(scene, spec))
         return repeat_outline(out, z, spec.tilt, clock);
     Solution const base = out;
     ToothSurfaceBuilder builder(base, tooth, shape, z, out.threads);
@@ -96,6 +114,8 @@ void move_slices(Solution& out, profile::Profile const& tooth, wavegen::AnyWaveS
 {
     Scene const& scene = out.scene;
     SurfaceSpec const spec = spec_of(scene);
+    if (repeats_outline(scene, spec))
+        return move_points(out.circular_spline, z);
     Solution const base = out;
     ToothSurfaceBuilder builder(base, tooth, shape, z, out.threads);
     write_outlines(out, builder.outline(spec, base.geometry.circular_spline_inner_radius, {scene.solver.tolerance}),

@@ -23,7 +23,7 @@ void write_outlines(Solution& out, conjugate::MatchedOutline const& outline, pro
                     std::vector<double> const& z, ToothSurface surface);
 
 /// The slices of the same surface in other planes: each outline is the one that the surface has there.
-/// @param out  result of solve(), with slices
+/// @param out  result of solve(), with two slices or more
 /// @param z    places [mm], increasing, from the first end plane of its slices to the last
 void move_slices(Solution& out, profile::Profile const& tooth, wavegen::AnyWaveShape const& shape,
                  std::vector<double> const& z);

@@ -77,6 +77,27 @@ double half_width(std::vector<Vec2> const& outline, double y)
     return 0;
 }
 
+/// How far the flexspline tooth that the ring of @p drive was made for stands out of the largest tooth of that ring,
+/// which @p again has [mm].
+double beyond(Solution const& drive, Solution const& again)
+{
+    double worst = 0;
+    std::size_t seen = 0;
+    double const root = -again.geometry.dedendum, tip = again.geometry.addendum;
+    auto const& outline = drive.flexspline_outline;
+    constexpr int steps = 32;  // straight flanks have no points
+    for (std::size_t k = 0; k + 1 < outline.size(); ++k)
+        for (int i = 0; i < steps; ++i) {
+            Vec2 const p = outline[k] + (outline[k + 1] - outline[k]) * i / steps;
+            if (p.x() <= 0 || p.y() <= root || p.y() >= tip)
+                continue;
+            worst = std::max(worst, p.x() - half_width(again.flexspline_outline, p.y()));
+            ++seen;
+        }
+    CHECK(seen > 20);
+    return worst;
+}
+
 /// The scene whose circular spline has been measured.
 Scene measured_scene(Solution const& drive, Measured measured, TemporaryFolder const& folder)
 {
@@ -90,6 +111,23 @@ Scene measured_scene(Solution const& drive, Measured measured, TemporaryFolder c
 }
 
 }  // namespace
+
+TEST_CASE("solve takes a measured tooth space with root clearance", "[inspect]")
+{
+    TemporaryFolder const folder;
+    double without = 0;
+    for (std::string const clearance : {"0", "0.02", "0.05"}) {
+        INFO(clearance);
+        Solution const drive = solve(read_scene(HDCONJ_SOURCE_DIR "/data/scenes/straight.toml",
+                                                {"circular_spline.root_clearance=" + clearance}));
+        Solution const again = solve(measured_scene(drive, Measured::whole_flank, folder));
+        CHECK(again.scene.circular_spline.root_clearance == 0);
+        // the flanks are the same, and so is the largest tooth that they leave room for
+        double const here = beyond(drive, again);
+        CHECK(here < (clearance == "0" ? drive.scene.drive.module : without + 1e-6));
+        without = clearance == "0" ? here : without;
+    }
+}
 
 TEST_CASE("solve takes a tooth space whose points have no noise", "[inspect]")
 {
@@ -110,24 +148,8 @@ TEST_CASE("solve takes a tooth space whose points have no noise", "[inspect]")
     Solution const again = solve(measured_scene(drive, measured, folder));
     CHECK(again.certificate.certified());
     CHECK(again.error.point < again.scene.solver.tolerance / 16 + 1e-12);
-    // the largest tooth of that ring holds the one that the ring was made for
     constexpr double smoothing = 1e-6;
-    double worst = 0;
-    std::size_t seen = 0;
-    double const root = -again.geometry.dedendum, tip = again.geometry.addendum;
-    auto const& outline = drive.flexspline_outline;
-    constexpr int steps = 32;  // straight flanks have no points
-    for (std::size_t k = 0; k + 1 < outline.size(); ++k)
-        for (int i = 0; i < steps; ++i) {
-            Vec2 const p = outline[k] + (outline[k + 1] - outline[k]) * i / steps;
-            if (p.x() <= 0 || p.y() <= root || p.y() >= tip)
-                continue;
-            double const beyond = p.x() - half_width(again.flexspline_outline, p.y());
-            worst = std::max(worst, beyond);
-            ++seen;
-        }
-    CHECK(worst < smoothing + drive.error.chord + again.error.chord);
-    CHECK(seen > 20);
+    CHECK(beyond(drive, again) < smoothing + drive.error.chord + again.error.chord);
 }
 
 TEST_CASE("solve takes many tooth spaces without noise", "[.][measured-spaces]")

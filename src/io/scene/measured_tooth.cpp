@@ -62,11 +62,11 @@ void give_circular_spline(Inspection const& inspection, std::vector<std::string>
 {
     Scene const& scene = inspection.scene;
     changes.emplace_back("!flexspline.profile");
-    for (char const* key : {"coning", "tilt", "slices", "contact", "circular_spline.backlash_offset"})
+    for (char const* key :
+         {"coning", "tilt", "slices", "contact", "circular_spline.backlash_offset", "circular_spline.root_clearance"})
         if (scene.given.contains(key))
             changes.push_back(std::string("!") + key);
-    double const reach =
-        -inspection.mean_flank.back().y() - scene.circular_spline.root_clearance - least_clearance(scene);
+    double const reach = -inspection.mean_flank.back().y() - least_clearance(scene);
     changes.push_back(set("flexspline.addendum", std::min(inspection.geometry.addendum, reach)));
     changes.push_back(set("flexspline.dedendum", inspection.geometry.dedendum));
 }

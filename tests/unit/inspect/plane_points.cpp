@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Points that name teeth, flanks and planes which the part has not, and points that stand in the file again.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -72,6 +73,47 @@ TEST_CASE("points of one number on several teeth, and of two numbers on one, are
     for (PartPoint& point : file.points)  // numbers that are counted from another tooth are none of a fault
         point.tooth = (point.tooth == 9 ? 1 : point.tooth) + 5;
     CHECK(refusal(file).empty());
+}
+
+TEST_CASE("numbers that do not count the teeth clockwise are refused", "[inspect]")
+{
+    PointFile const file = labelled();
+    auto const renumbered = [&](auto number) {
+        PointFile other = file;
+        for (PartPoint& point : other.points)
+            point.tooth = number(point.tooth);
+        return refusal(other);
+    };
+    auto const mirrored = [](int tooth) { return teeth + 1 - tooth; };
+    CHECK_THAT(renumbered(mirrored), ContainsSubstring("the numbers run counter-clockwise, and teeth are counted "
+                                                       "clockwise (write 201 less each number, or leave "));
+    CHECK_THAT(renumbered([&](int tooth) { return mirrored((tooth + 36) % teeth + 1); }),
+               ContainsSubstring("the numbers run counter-clockwise"));
+    CHECK_THAT(renumbered([](int tooth) { return tooth == 41 ? 42 : tooth; }),
+               ContainsSubstring("column tooth = 42: 1 of 5 numbers do not count the teeth clockwise: by the others "
+                                 "this tooth is number 41"));
+    CHECK_THAT(renumbered([](int tooth) { return tooth == 1   ? 2
+                                                 : tooth == 2 ? 1
+                                                              : tooth * 7 % 199 + 3; }),
+               ContainsSubstring("numbers do not count the teeth clockwise"));
+    for (int const from : {1, 60, 199})  // wherever they begin
+        CHECK(renumbered([&](int tooth) { return (tooth + from) % teeth + 1; }).empty());
+}
+
+TEST_CASE("a tooth of the layer that solve writes is told to be the assembled one", "[inspect]")
+{
+    PointFile file = labelled();
+    for (PartPoint& point : file.points)
+        point.where *= 1 + 0.25 / point.where.norm();
+    InspectOptions options;
+    options.registration = Registration::datum;
+    for (bool const own : {false, true}) {
+        file.layers = {own ? "FLEXSPLINE_TOOTH" : "0"};
+        auto const notes = inspect_points(builtin_scene(), file, options).notes;
+        CHECK(own == std::ranges::any_of(notes, [](std::string const& note) {
+                  return note.find("draws the assembled tooth at the major axis") != std::string::npos;
+              }));
+    }
 }
 
 TEST_CASE("flanks that are exchanged are refused, wherever the part is turned to", "[inspect]")

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include "hdconj/base/rigid_motion.hpp"
 #include "hdconj/inspect.hpp"
@@ -35,14 +36,14 @@ Scene plane(std::vector<std::string> changes)
     return reading.scene;
 }
 
-/// The flanks of some spaces with the outline @p points, in the plane @p z.
+/// The walls of some spaces with the outline @p points that are of the kind @p kind, in the plane @p z.
 void add_points(PointFile& file, std::vector<Vec2> const& points, std::vector<OutlinePiece> const& pieces, double z,
-                int teeth)
+                int teeth, std::string_view kind = "flank")
 {
     file.has_z = true;
     for (int const tooth : {0, 77})
         for (OutlinePiece const& piece : pieces)
-            for (std::size_t i = piece.first; piece.kind == "flank" && i <= piece.last; i += 7)
+            for (std::size_t i = piece.first; piece.kind == kind && i <= piece.last; i += 7)
                 file.points.push_back({turned_clockwise(points[i], 2 * std::numbers::pi * tooth / teeth), z, 0,
                                        std::nullopt, static_cast<int>(file.points.size()) + 2});
 }
@@ -133,6 +134,24 @@ TEST_CASE("between slices a ruled surface has straight lines", "[inspect]")
         add_points(file, between, spline.pieces, z, scene.drive.circular_spline_teeth);
     }
     check_exact(scene, file);
+}
+
+TEST_CASE("a tilted ring whose walls corners alone make is known in each plane", "[inspect]")
+{
+    auto const scene = [](std::vector<std::string> sets) {
+        sets.insert(sets.end(),
+                    {"tilt.angle_deg=-0.5", "flexspline.profile.addendum=0.12",
+                     "wave_generator.radial_deformation=0.15", "circular_spline.width=7", "solver.threads=1"});
+        return read_scene(HDCONJ_SOURCE_DIR "/data/scenes/straight.toml", sets);
+    };
+    Solution const fine = solve(scene({"slices.count=9", "slices.surface=tilted", "solver.tolerance=1e-8"}));
+    auto const& spline = fine.circular_spline;
+    REQUIRE(std::ranges::none_of(spline.pieces, [](OutlinePiece const& piece) { return piece.kind == "flank"; }));
+    PointFile file;
+    for (std::size_t const k : {std::size_t{0}, std::size_t{3}, std::size_t{4}, std::size_t{8}})
+        add_points(file, spline.outline[k], spline.pieces, spline.z[k], fine.scene.drive.circular_spline_teeth,
+                   "corner");
+    check_exact(scene({}), file);
 }
 
 }  // namespace hdconj::test::spline_planes_cases
