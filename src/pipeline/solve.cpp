@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "conjugate/plane/solve_plane.hpp"
+#include "contact/clearance/side_clearance_search.hpp"
 #include "contact/study/contact_case.hpp"
 #include "drive/drive.hpp"
 #include "hdconj/check.hpp"
@@ -44,10 +45,7 @@ Solution solve_with_automatic_backlash(Scene const& scene, StageObserver const& 
     out.scene.text = scene.text;
     out.scene.circular_spline.automatic_backlash = true;
     out.notes.insert(out.notes.begin(), note);
-    // both flanks move with it, each as far as it does but where it meets the tip circle aslant
-    out.error.side_clearance = error;
-    out.error.clearance += error;
-    out.error.land += 2 * error;
+    contact::add_side_clearance_error(out.error, error);
     return out;
 }
 

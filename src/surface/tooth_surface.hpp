@@ -103,6 +103,13 @@ class ToothSurfaceBuilder
     /// all slices, whose tip circle is the scene's affair.
     [[nodiscard]] double solvable_tip(SurfaceSpec const& spec, double distance);
 
+    /// needed_tip() with a side clearance of @p distance [mm], where slices have outlines of their own: what `solve`
+    /// takes for a scene that gives this side clearance. 0 for one outline for all slices.
+    [[nodiscard]] double needed_tip_of_moved(SurfaceSpec const& spec, double distance);
+    /// The radius at which the teeth of the outline at z = 0 would be pointed with a side clearance of @p distance
+    /// [mm].
+    [[nodiscard]] double pointed_radius_of_moved(double distance);
+
     /// Tip circle of z = 0 with which the surface is made where nothing has to clear: the drive's own, widened only as
     /// far as the surface cannot exist without. One outline for all slices keeps it, however it is tilted, so that
     /// tilts of either kind begin at the same part; a draft widens it where the drafted flanks meet. Slices with
@@ -140,6 +147,7 @@ class ToothSurfaceBuilder
     [[nodiscard]] std::vector<SliceNeed> slice_needs(SurfaceSpec const& spec);
     void prepare(std::vector<std::size_t> const& wanted, bool middle_too = false);
     void prepare_middle();
+    [[nodiscard]] ToothSurfaceBuilder& with_side_clearance(double distance);
     [[nodiscard]] conjugate::ToothSpaceBoundary const& middle(double tip);
     [[nodiscard]] Curves solved(std::vector<std::size_t> const& wanted, double tip);
     [[nodiscard]] std::vector<std::size_t> own_slices(SurfaceSpec const& spec) const;
@@ -170,6 +178,8 @@ class ToothSurfaceBuilder
     ToothSurfaceBuilder* coarse_ = nullptr;                 // whose refined() this is
     ToothSurfaceBuilder const* other_clearance_ = nullptr;  // of the same drive
     std::unique_ptr<ToothSurfaceBuilder> refined_;
+    Solution moved_base_;  // without outlines, of moved_
+    std::unique_ptr<ToothSurfaceBuilder> moved_;
 };
 
 }  // namespace hdconj::surface

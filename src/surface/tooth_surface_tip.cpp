@@ -125,6 +125,36 @@ double ToothSurfaceBuilder::solvable_tip(SurfaceSpec const& spec, double distanc
         foot_radius(*tooth_, distance, g.r_m, amplitude, base_->scene.wave_generator.waves) + above * least);
 }
 
+/// The same drive with a side clearance of @p distance, of which no outline is made; the last is kept.
+ToothSurfaceBuilder& ToothSurfaceBuilder::with_side_clearance(double distance)
+{
+    if (distance == base_->scene.circular_spline.backlash_offset)
+        return *this;
+    if (moved_ && moved_base_.scene.circular_spline.backlash_offset == distance)
+        return *moved_;
+    moved_.reset();
+    moved_base_.scene = base_->scene;
+    moved_base_.scene.circular_spline.backlash_offset = distance;
+    moved_base_.geometry = base_->geometry;
+    moved_base_.cup = base_->cup;
+    moved_base_.segment_names = base_->segment_names;
+    moved_ = std::make_unique<ToothSurfaceBuilder>(moved_base_, *this);
+    return *moved_;
+}
+
+double ToothSurfaceBuilder::needed_tip_of_moved(SurfaceSpec const& spec, double distance)
+{
+    return follows_cone(spec) ? with_side_clearance(distance).needed_tip(spec).radius : 0;
+}
+
+double ToothSurfaceBuilder::pointed_radius_of_moved(double distance)
+{
+    ToothSurfaceBuilder& moved = with_side_clearance(distance);
+    prepare_middle();
+    moved.prepare_middle();
+    return moved.middle_job_->solve->pointed_radius(base_->geometry.circular_spline_inner_radius);
+}
+
 TipCircle ToothSurfaceBuilder::nominal_tip(SurfaceSpec const& spec)
 {
     if (follows_cone(spec))

@@ -86,9 +86,9 @@ Cleared clear_flanks(CaseSurface const& surface, SliceClearances const& clearanc
     ContactContext const& context = surface.context();
     Cleared result;
     result.reach = at_least;
-    result.tip = surface.needed_tip();
+    result.tip = std::max(surface.needed_tip(), surface.needed_tip_of_moved(at_least));
     // where moved flanks meet the tip circle has to follow until a land is left
-    auto const raise_tip = [&](conjugate::MatchedOutline const& outline, double distance) {
+    auto const raise_tip = [&](auto const& outline, double distance) {
         double const tip = tip_with_land(surface, outline, distance, result.tip);
         return std::exchange(result.tip, tip) != tip;
     };
@@ -111,7 +111,7 @@ Cleared clear_flanks(CaseSurface const& surface, SliceClearances const& clearanc
     else if (result.reach > 0)
         reach(surface, result, result.reach);
     // a given clearance has more of the surface reach the tip circle, whose land may be narrower there
-    for (int i = 0; raise_tip(result.flanks.outline, std::max(result.offset, at_least)); ++i) {
+    for (int i = 0; raise_tip(result.flanks, std::max(result.offset, at_least)); ++i) {
         refuse_to_lift_for_ever(i, result.tip);
         result.outline = surface.outline(result.tip);
         result.at_zero = {};
@@ -142,19 +142,18 @@ SideClearanceNeed side_clearance_need(Scene const& scene)
     CaseSurface const surface(*data.context, surface_choices(scene, {}).front());
     Cleared const cleared = clear_flanks(surface, SliceClearances(*data.context), 0);
     return {cleared.offset, cleared.tip, data.middle.geometry.circular_spline_inner_radius,
-            cleared.offset > 0 ? clearance_accuracy(data.context->tolerance) / flattest_slope : 0};
+            error_of_least(data.context->tolerance, cleared.offset)};
 }
 
 Cleared nominal_part(CaseSurface const& surface, double given, double tip)
 {
     Cleared result;
     result.offset = given;
-    result.tip = tip;
+    result.tip = std::max(tip, surface.needed_tip_of_moved(given));
     for (int i = 0;; ++i) {
         result.outline = surface.outline(result.tip);
         reach(surface, result, given);
-        double const with_land =
-            given > 0 ? tip_with_land(surface, result.flanks.outline, given, result.tip) : result.tip;
+        double const with_land = given > 0 ? tip_with_land(surface, result.flanks, given, result.tip) : result.tip;
         if (with_land == result.tip)
             return result;
         refuse_to_lift_for_ever(i, result.tip);

@@ -119,6 +119,16 @@ double tip_with_land(CaseSurface const& surface, conjugate::MatchedOutline const
     return std::max(tip, surface.solvable_tip(distance));
 }
 
+double tip_with_land(CaseSurface const& surface, PartFlanks const& flanks, double distance, double tip)
+{
+    double const seen = tip_with_land(surface, flanks.outline, distance, tip);
+    if (!(unseen_length(flanks.grid, distance) > 0))
+        return seen;
+    double const pointed = surface.pointed_radius_of_moved(distance);
+    double const with_land = pointed + surface::least_land * surface.context().scene.drive.module;
+    return std::max({seen, pointed < seen ? 0 : with_land, surface.needed_tip_of_moved(distance)});
+}
+
 void refuse_to_lift_for_ever(int round, double tip)
 {
     constexpr int budget = 12;

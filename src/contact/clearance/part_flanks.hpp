@@ -61,6 +61,8 @@ struct Cleared
 /// by @p distance; at least @p tip.
 [[nodiscard]] double tip_with_land(CaseSurface const& surface, conjugate::MatchedOutline const& outline,
                                    double distance, double tip);
+/// The same of flanks that reach that far; also where what is missing of them would meet.
+[[nodiscard]] double tip_with_land(CaseSurface const& surface, PartFlanks const& flanks, double distance, double tip);
 
 /// To be called before the tip circle is lifted once more, with the number of times that it was.
 /// @throws NumericalError after too many

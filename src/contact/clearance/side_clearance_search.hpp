@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hdconj/base/tolerance.hpp"
+#include "hdconj/solution.hpp"
 
 namespace hdconj::contact {
 
@@ -47,6 +48,21 @@ struct PlaceRange
 
 /// Moving a flank along its normal opens a gap at least so much as fast as it moves.
 constexpr double flattest_slope = 0.05;
+
+/// Estimated error of a least side clearance, @p found by clearance_accuracy() [mm]; 0 where none is needed.
+[[nodiscard]] inline double error_of_least(Tolerance const& tolerance, double found)
+{
+    return found > 0 ? clearance_accuracy(tolerance) / flattest_slope : 0;
+}
+
+/// Enters that the side clearance was found to @p error [mm]: both flanks move with it, each as far as it does but
+/// where it meets the tip circle aslant.
+inline void add_side_clearance_error(ErrorEstimate& estimate, double error)
+{
+    estimate.side_clearance = error;
+    estimate.clearance += error;
+    estimate.land += 2 * error;
+}
 
 /// The distance at which @p clearance(distance) is zero to @p enough, from the guess @p distance; of a clearance that
 /// jumps there, the distance to @p enough beyond which it is positive.

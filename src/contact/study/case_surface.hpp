@@ -42,6 +42,14 @@ class CaseSurface
     [[nodiscard]] double nominal_tip_radius() const { return builder_->nominal_tip(spec_).radius; }
     [[nodiscard]] double needed_tip() const { return builder_->needed_tip(spec_).radius; }
     [[nodiscard]] double solvable_tip(double distance) const { return builder_->solvable_tip(spec_, distance); }
+    [[nodiscard]] double needed_tip_of_moved(double distance) const
+    {
+        return builder_->needed_tip_of_moved(spec_, distance);
+    }
+    [[nodiscard]] double pointed_radius_of_moved(double distance) const
+    {
+        return builder_->pointed_radius_of_moved(distance);
+    }
     [[nodiscard]] std::vector<double> needed_by_slices() const { return builder_->needed_by_slices(spec_); }
 
     /// How far a tilt moves the tip circle of plane @p k outward [mm].
