@@ -191,13 +191,11 @@ struct ContactStudy
     std::vector<std::string> missing;  ///< cases that could not be made, each with the reason; also in solution.notes
     std::vector<BestTilt> best;        ///< with --best
     std::size_t written_case = 0;      ///< case that map and solution are of
-    bool estimated = true;      ///< false: errors were not asked for. All of them are 0 then and mean nothing, as
-                                ///< do the intervals and tooth spaces that follow from them
-    double side_clearance = 0;  ///< that its outline includes: that of the case, or 0 where solution.notes say that it
-                                ///< cannot be made with it [mm]
-    GapMap map;                 ///< of that case at its state, after the turn to first contact
-    double contact_gap = 0;     ///< [mm]
-    double pitch_radius = 0;    ///< m z_f/2, at which backlash is given as a length [mm]
+    bool estimated = true;    ///< false: errors were not asked for. All of them are 0 then and mean nothing, as
+                              ///< do the intervals and tooth spaces that follow from them
+    GapMap map;               ///< of that case at its state, after the turn to first contact
+    double contact_gap = 0;   ///< [mm]
+    double pitch_radius = 0;  ///< m z_f/2, at which backlash is given as a length [mm]
 };
 
 inline SliceClearance const& ContactCase::closest_slice() const

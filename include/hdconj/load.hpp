@@ -231,7 +231,6 @@ struct LoadStudy
     std::vector<LoadCase> cases;       ///< in the order asked for, without those that are missing
     std::vector<std::string> missing;  ///< as in ContactStudy; and torques without an equilibrium
     std::size_t written_case = 0;      ///< case of least line load, which `shape` and `teeth` are of
-    double side_clearance = 0;         ///< that the outline of `solution` includes, as in ContactStudy [mm]
     CupShape shape;                    ///< of the cup at the largest torque
     LoadedTeeth teeth;                 ///< of the same case at that torque
     int harmonics = 0;                 ///< largest circumferential harmonic

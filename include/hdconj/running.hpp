@@ -123,7 +123,6 @@ struct RunStudy
     double tip = 0;                         ///< tip circle at z = 0 [mm]
     double tip_radius_increase = 0;         ///< how much wider it is than the scene gives, so that teeth clear [mm]
     bool side_clearance_increased = false;  ///< the side clearance is larger than the scene gives
-    double side_clearance = 0;              ///< that the outline of `solution` includes, as in ContactStudy [mm]
     std::vector<RunSequence> sequences;     ///< in order of span, without torque first
     std::optional<RunLosses> losses;        ///< with [friction] only
     std::vector<std::string> missing;       ///< positions and torques without a result, each with its cause; also in

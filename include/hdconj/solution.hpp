@@ -120,7 +120,7 @@ struct ErrorEstimate
     double side_clearance =
         0;           ///< of the one that "auto" found: in `clearance` and `land`, in no other; 0: as given [mm]
     double cup = 0;  ///< of the sections' displacement, by the grid of cup and bearing: in none of the others; 0: no
-                     ///< cup [mm]
+                     ///< cup; NaN: not asked for [mm]
     /// The larger of the errors of chords and of points [mm].
     [[nodiscard]] double largest() const { return chord > point ? chord : point; }
 };

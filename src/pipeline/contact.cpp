@@ -88,11 +88,10 @@ class StepProgress
     double done_ = 0;
 };
 
-/// The surfaces of a study: those of its cases, and why others are missing.
-struct StudiedSurfaces
+/// Why cases of a study are missing.
+struct MissingCases
 {
-    std::vector<SurfaceSpec> made;  ///< of each case
-    std::vector<std::string> missing;
+    std::vector<std::string> reasons;
     std::optional<NumericalError> first_failure;
 };
 
@@ -104,52 +103,48 @@ SmallestGaps smallest_gaps(GapMap const& map)
     return smallest;
 }
 
-void add_case(ContactStudy& study, StudiedSurfaces& surfaces, ContactContext const& context, SurfaceSpec const& spec,
-              int revolution)
+/// @throws NumericalError where the case, or its part if it is the one to write, cannot be made
+void add_case(ContactStudy& study, contact::ContactStudyData& data, SurfaceSpec const& spec, int revolution)
 {
     GapMap map;
-    ContactCase found = contact::contact_case(context, spec, revolution, study.estimated, &map);
+    ContactCase found = contact::contact_case(*data.context, spec, revolution, study.estimated, &map);
     found.gaps = smallest_gaps(map);
     if (study.cases.empty() || found.state.contact_fraction > study.cases[study.written_case].state.contact_fraction) {
+        study.solution = pipeline::solution_with_part(data, {spec, found.tip, found.backlash_offset});
         study.written_case = study.cases.size();
         study.map = std::move(map);
     }
     study.cases.push_back(std::move(found));
-    surfaces.made.push_back(spec);
 }
 
 /// The cases that scene and options list, without those that cannot be made.
-StudiedSurfaces add_cases(ContactStudy& study, ContactContext const& context, std::vector<SurfaceSpec> const& wanted,
-                          int revolution, StepProgress& progress)
+MissingCases add_cases(ContactStudy& study, contact::ContactStudyData& data, std::vector<SurfaceSpec> const& wanted,
+                       int revolution, StepProgress& progress)
 {
-    StudiedSurfaces surfaces;
+    MissingCases missing;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         progress.begin("surface " + std::to_string(i + 1) + " of " + std::to_string(wanted.size()), 1);
         try {
-            add_case(study, surfaces, context, wanted[i], revolution);
+            add_case(study, data, wanted[i], revolution);
         } catch (NumericalError const& error) {
-            surfaces.missing.push_back(contact::no_row(wanted[i], error.what()));
-            if (!surfaces.first_failure)
-                surfaces.first_failure.emplace(error);
+            missing.reasons.push_back(contact::no_row(wanted[i], error.what()));
+            if (!missing.first_failure)
+                missing.first_failure.emplace(error);
         }
     }
-    return surfaces;
+    return missing;
 }
 
-/// The solution of a study: the pair at z = 0 with the outlines of the shown case.
-void write_solution(ContactStudy& study, contact::ContactStudyData& data, Scene const& scene,
-                    StudiedSurfaces const& surfaces)
+/// Completes the solution of a study with what is not of the shown case.
+void complete_solution(ContactStudy& study, contact::ContactStudyData& data, Scene const& scene,
+                       std::vector<std::string> const& missing)
 {
-    study.solution = data.middle;
     study.solution.scene = scene;
     study.solution.plan = data.plan;
     std::vector<std::string>& notes = study.solution.notes;
     if (std::string const note = data.maker->note_on_sections(); !note.empty())
         notes.push_back(note);
-    notes.insert(notes.end(), surfaces.missing.begin(), surfaces.missing.end());
-    ContactCase const& shown = study.cases[study.written_case];
-    study.side_clearance =
-        pipeline::write_part(study.solution, data, surfaces.made[study.written_case], shown.tip, shown.backlash_offset);
+    notes.insert(notes.end(), missing.begin(), missing.end());
     std::vector<StageTime> const times = data.clock.times();
     study.solution.timing.insert(study.solution.timing.end(), times.begin(), times.end());
 }
@@ -177,14 +172,14 @@ ContactStudy study_contact(Scene const& scene, ContactOptions const& options, St
     study.estimated = options.errors;
     study.contact_gap = context.request.gap;
     study.pitch_radius = scene.drive.module * scene.drive.flexspline_teeth / 2;
-    StudiedSurfaces surfaces = add_cases(study, context, wanted, options.revolution, steps);
+    MissingCases missing = add_cases(study, data, wanted, options.revolution, steps);
     std::vector<std::string> const impossible = contact::impossible_choices(options);
-    surfaces.missing.insert(surfaces.missing.begin(), impossible.begin(), impossible.end());
+    missing.reasons.insert(missing.reasons.begin(), impossible.begin(), impossible.end());
     // an end of the interval that is searched need not make a surface
     if (!options.best) {
         if (study.cases.empty())
-            throw NumericalError(*surfaces.first_failure);
-        study.missing = surfaces.missing;
+            throw NumericalError(*missing.first_failure);
+        study.missing = missing.reasons;
     }
     for (TiltKind const kind : kinds)
         for (Goal const& goal : goals)
@@ -192,9 +187,9 @@ ContactStudy study_contact(Scene const& scene, ContactOptions const& options, St
     // none of the tilts that were listed: the row of the best
     if (study.cases.empty()) {
         BestTilt const& best = study.best.front();
-        add_case(study, surfaces, context, {ToothSurface::tilted, best.kind, best.tilt}, options.revolution);
+        add_case(study, data, {ToothSurface::tilted, best.kind, best.tilt}, options.revolution);
     }
-    write_solution(study, data, scene, surfaces);
+    complete_solution(study, data, scene, missing.reasons);
     return study;
 }
 

@@ -59,9 +59,10 @@ void tell_assembly(LoadObserver const& observer, AssembledCup const& cup)
 /// Adds every case that scene and options ask for to @p study, names those that are missing, and draws the cup of the
 /// case shown.
 /// @throws NumericalError of the first case where none can be computed
-void add_cases(contact::ContactContext const& context, load::DriveGrids const& drives, LoadOptions const& options,
+void add_cases(contact::ContactStudyData& data, load::DriveGrids const& drives, LoadOptions const& options,
                LoadObserver const& observer, LoadStudy& study)
 {
+    contact::ContactContext const& context = *data.context;
     std::vector<surface::SurfaceSpec> const surfaces =
         contact::surface_choices(context.scene, load::contact_options(options));
     load::LoadingPath const torques = load::loading_path(context.scene, options);
@@ -81,13 +82,15 @@ void add_cases(contact::ContactContext const& context, load::DriveGrids const& d
             for (auto const& [torque, cause] : solved.result.unsettled)
                 study.missing.push_back(fmt::format("no result at {:g} N m for {}: {}", torque / newton_metre,
                                                     contact::spec_words(surfaces[i]), cause));
-            study.cases.push_back(std::move(solved.result));
-            std::size_t const last = study.cases.size() - 1;
-            if (last == 0 || rated_line_load(study.cases[last]) < rated_line_load(study.cases[study.written_case])) {
-                study.written_case = last;
+            if (study.cases.empty() ||
+                rated_line_load(solved.result) < rated_line_load(study.cases[study.written_case])) {
+                study.solution =
+                    pipeline::solution_with_part(data, {surfaces[i], solved.result.tip, solved.result.backlash_offset});
+                study.written_case = study.cases.size();
                 study.shape = load::cup_shape(drives.fine.model, solved.field, context.threads);
                 study.teeth = std::move(solved.teeth);
             }
+            study.cases.push_back(std::move(solved.result));
         } catch (NumericalError const& error) {
             study.missing.push_back(contact::no_row(surfaces[i], error.what()));
             if (!first)
@@ -102,13 +105,9 @@ void add_cases(contact::ContactContext const& context, load::DriveGrids const& d
 void describe_drive(contact::ContactStudyData& data, load::ElasticDrive const& drive, LoadStudy& study)
 {
     Scene const& scene = data.scene;
-    study.solution = data.middle;
     study.solution.plan = data.plan;
     study.solution.notes.insert(study.solution.notes.end(), study.missing.begin(), study.missing.end());
     LoadCase const& written = study.cases[study.written_case];
-    study.side_clearance = pipeline::write_part(
-        study.solution, data, {written.surface, written.kind.value_or(TiltKind::radial), written.tilt}, written.tip,
-        written.backlash_offset);
     if (auto const note =
             written.tips ? judgement::tip_interference(written.backlash, written.tips->depth, written.tips->least_tip)
                          : judgement::backlash(scene, written.backlash, written.backlash_offset, ""))
@@ -134,7 +133,8 @@ LoadStudy study_load(Scene const& scene, LoadOptions const& options, StageObserv
 {
     throw_if_any(scene::value_faults(scene));
     LoadObserver const observer{progress, talk};
-    auto const [data, standard_tip_increase] = load::contact_data(load::checked_scene(scene, options), on_stage);
+    auto const [data, standard_tip_increase] =
+        load::contact_data(load::checked_scene(scene, options), options.errors, on_stage);
     contact::ContactContext const& context = *data->context;
     drive::StageClock& clock = data->clock;
     load::LoadGrid const grid = load::load_grid(context);
@@ -159,7 +159,7 @@ LoadStudy study_load(Scene const& scene, LoadOptions const& options, StageObserv
             drives.coarser = load::coarser_drives(context, coarser_grids);
         if (!drives.coarser.empty())
             load::estimate_errors(context, drives, study.cup);
-        add_cases(context, drives, options, observer, study);
+        add_cases(*data, drives, options, observer, study);
     });
     describe_drive(*data, drives.fine.model.drive, study);
     study.solution.scene = scene;

@@ -2,6 +2,7 @@
 #include "part_of_case.hpp"
 
 #include "base/text.hpp"
+#include "contact/clearance/side_clearance_search.hpp"
 #include "drive/elastic_cup.hpp"
 #include "hdconj/error.hpp"
 #include "judgement/judgement.hpp"
@@ -14,19 +15,52 @@ namespace {
 using surface::SurfaceSpec;
 using surface::ToothSurfaceBuilder;
 
-void write_with(Solution& out, contact::ContactStudyData& data, SurfaceSpec const& spec, double tip,
-                double side_clearance)
+/// What the plane z = 0 says of the circular spline that the scene asks for; see solution_with_part().
+Solution drive_of_scene(contact::ContactStudyData& data, PartOfCase const& part)
+{
+    CircularSpline const& asked = data.scene.circular_spline;
+    double const nominal_tip = data.middle.geometry.circular_spline_inner_radius;
+    auto const with = [&](double side_clearance, double tip) {
+        Solution out = data.plane_with(side_clearance, tip);
+        out.timing = data.middle.timing;
+        out.notes = data.middle.notes;
+        out.error.cup = data.middle.error.cup;
+        return out;
+    };
+    if (asked.automatic_backlash) {
+        Solution out = with(part.side_clearance, part.tip);
+        contact::add_side_clearance_error(out.error,
+                                          contact::error_of_least(data.context->tolerance, part.side_clearance));
+        return out;
+    }
+    double const given = contact::given_clearance(data.scene);
+    try {
+        return with(given, nominal_tip);
+    } catch (NumericalError const& error) {
+        if (!error.is_infeasible() || part.tip == nominal_tip)
+            throw;
+        Solution out = with(given, part.tip);
+        out.notes.push_back("dimensions are those of a tip circle of " + short_number(part.tip) + " mm: with one of " +
+                            short_number(nominal_tip) +
+                            " mm the circular spline cannot be made with a side clearance of " + short_number(given) +
+                            " mm");
+        return out;
+    }
+}
+
+void write_outline(Solution& out, contact::ContactStudyData& data, PartOfCase const& part)
 {
     std::vector<double> const& z = data.maker->z();
-    surface::SurfaceSampling const sampling{data.scene.solver.tolerance, 0, true};
-    if (side_clearance == 0) {
+    auto const write = [&](ToothSurfaceBuilder& builder) {
+        surface::write_outlines(out, builder.outline(part.spec, part.tip, {data.scene.solver.tolerance, 0, true}),
+                                data.tooth, z, part.spec.surface);
+    };
+    if (part.side_clearance == 0) {
         if (z.size() > 1)
-            surface::write_outlines(out, data.maker->outline(spec, tip, sampling), data.tooth, z, spec.surface);
+            write(*data.maker);
         return;
     }
-    conjugate::SolvedPlane const solved =
-        contact::plane_with_clearance(data.scene, side_clearance, tip, data.middle.cup);
-    Solution const& base = solved.solution;
+    Solution const& base = data.plane_with(part.side_clearance, part.tip);
     out.judgement = base.judgement;
     if (z.size() == 1) {
         out.circular_spline = base.circular_spline;
@@ -35,7 +69,7 @@ void write_with(Solution& out, contact::ContactStudyData& data, SurfaceSpec cons
         return;
     }
     ToothSurfaceBuilder builder(base, *data.maker);
-    surface::write_outlines(out, builder.outline(spec, tip, sampling), data.tooth, z, spec.surface);
+    write(builder);
 }
 
 /// Judges where the tips leave the tip circle once more: the pair at z = 0 does not know the tilt of the case.
@@ -71,22 +105,12 @@ void judge_part(Solution& out, contact::ContactStudyData const& data, SurfaceSpe
 
 }  // namespace
 
-double write_part(Solution& out, contact::ContactStudyData& data, SurfaceSpec const& spec, double tip,
-                  double side_clearance)
+Solution solution_with_part(contact::ContactStudyData& data, PartOfCase const& part)
 {
-    try {
-        write_with(out, data, spec, tip, side_clearance);
-        judge_part(out, data, spec, tip);
-        return side_clearance;
-    } catch (NumericalError const& error) {
-        if (side_clearance == 0)
-            throw;
-        write_with(out, data, spec, tip, 0);
-        judge_part(out, data, spec, tip);
-        out.notes.push_back("the outline is written without side clearance, because with " +
-                            short_number(side_clearance) + " mm it cannot be made: " + error.what());
-        return 0;
-    }
+    Solution out = drive_of_scene(data, part);
+    write_outline(out, data, part);
+    judge_part(out, data, part.spec, part.tip);
+    return out;
 }
 
 }  // namespace hdconj::pipeline

@@ -6,13 +6,19 @@
 
 namespace hdconj::pipeline {
 
-/// Writes the surface of a case in all slices into @p out, of the drive of @p data, and the judgement of that part.
-/// @param tip             tip circle of the case at z = 0 [mm]
-/// @param side_clearance  of the case [mm]
-/// @returns the side clearance that it is written with: 0, and a note in @p out, where it cannot be made with that of
-/// the case
-/// @throws NumericalError where it cannot be made without either
-double write_part(Solution& out, contact::ContactStudyData& data, surface::SurfaceSpec const& spec, double tip,
-                  double side_clearance);
+/// A case whose part is written.
+struct PartOfCase
+{
+    surface::SurfaceSpec spec;
+    double tip = 0;             ///< tip circle at z = 0 [mm]
+    double side_clearance = 0;  ///< [mm]
+};
+
+/// The drive of @p data with the circular spline of a case: its surface in all slices, and the judgement of that part.
+/// Dimensions, zones, check and errors are those of the plane z = 0 with the side clearance and the tip circle that the
+/// scene gives. Where it leaves a side clearance to the program ("auto"), or the circular spline cannot be made with
+/// its tip circle, they are those of the case; the latter is a note.
+/// @throws NumericalError where the part cannot be made with its side clearance
+[[nodiscard]] Solution solution_with_part(contact::ContactStudyData& data, PartOfCase const& part);
 
 }  // namespace hdconj::pipeline

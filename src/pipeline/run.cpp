@@ -69,7 +69,7 @@ struct LeastPlay
     }
 };
 
-/// Enters how the teeth of the circular spline are made, and writes that part.
+/// Enters how the teeth of the circular spline are made, and that part.
 void enter_part(contact::ContactStudyData& data, surface::SurfaceSpec const& spec, double tip, double offset,
                 RunStudy& study)
 {
@@ -77,7 +77,7 @@ void enter_part(contact::ContactStudyData& data, surface::SurfaceSpec const& spe
     study.tip = tip;
     study.side_clearance_increased = contact::is_side_clearance_increased(*data.context, offset);
     study.tip_radius_increase = contact::tip_radius_increase(*data.context, tip);
-    study.side_clearance = pipeline::write_part(study.solution, data, spec, tip, offset);
+    study.solution = pipeline::solution_with_part(data, {spec, tip, offset});
 }
 
 /// Adds a sequence that has positions. That over a tooth pitch comes before those of the same torque at whole pitches.
@@ -103,6 +103,7 @@ void run_prescribed(contact::ContactStudyData& data, running::RunTask const& tas
 {
     contact::ContactContext const& context = *data.context;
     contact::FlankSurface const surface = contact::used_surface(context, spec);
+    enter_part(data, spec, surface.tip, surface.offset, study);
     LeastPlay least;
     auto const turn_at = [&](double pitches) {
         return least.enter(running::first_contact(context, surface.grid, task.motion, pitches), pitches);
@@ -113,7 +114,6 @@ void run_prescribed(contact::ContactStudyData& data, running::RunTask const& tas
         running::add_shape_error(sequence, angle);
         add(std::move(sequence), context.scene, study);
     }
-    enter_part(data, spec, surface.tip, surface.offset, study);
     least.judge(context.scene, study);
 }
 
@@ -174,6 +174,7 @@ void run_elastic(contact::ContactStudyData& data, running::RunTask const& task, 
         return load::AssembledDrive{grid, std::move(model), std::move(unloaded)};
     });
     load::SurfaceWithPlay const assembled = load::surface_with_play(context, fine, spec);
+    enter_part(data, spec, assembled.surface.tip, assembled.surface.offset, study);
     contact::FlankGrid const& flanks = assembled.surface.grid;
     double const middle = load::middle_of(assembled.play);
     running::TurningDrive const drive(context, fine, flanks, task.motion, middle);
@@ -206,7 +207,6 @@ void run_elastic(contact::ContactStudyData& data, running::RunTask const& task, 
             others.push_back(running::loss_runs_like(runs, each, task, observer));
         study.losses = running::run_losses(losses, task, runs, others, drives.safety);
     });
-    enter_part(data, spec, assembled.surface.tip, assembled.surface.offset, study);
     least.judge(context.scene, study);
 }
 
@@ -230,8 +230,9 @@ RunStudy study_run(Scene const& scene, RunOptions const& options, StageObserver 
     running::RunTask const task = running::run_task(checked, options);
     bool const elastic = task.torque > 0;
     std::unique_ptr<contact::ContactStudyData> const data =
-        elastic ? load::contact_data(checked, on_stage).data
-                : std::make_unique<contact::ContactStudyData>(checked, Verb::load, on_stage);
+        elastic
+            ? load::contact_data(checked, options.errors, on_stage).data
+            : std::make_unique<contact::ContactStudyData>(checked, Verb::load, on_stage, std::nullopt, options.errors);
     // The drive is solved by the plan of `load`. The clock enters only stages of its plan: from here on those of `run`.
     data->plan = plan_run(checked, options);
     RunStudy study;
@@ -240,10 +241,6 @@ RunStudy study_run(Scene const& scene, RunOptions const& options, StageObserver 
     study.elastic = elastic;
     study.torque = task.torque;
     study.spline_torque = task.motion.spline_torque(task.torque);
-    study.solution = data->middle;
-    if (!elastic && checked.errors && checked.errors->wave_generator)
-        study.solution.notes.emplace_back(
-            "errors.wave_generator has no effect without a torque: set load.torque, or --torque above 0");
     PositionProgress told(progress, positions_of(checked, task, options.errors));
     SequenceObserver const observer{options.stop, [&] { told.step(); },
                                     [&](std::string const& cause) { study.missing.push_back(cause); }};
@@ -257,6 +254,9 @@ RunStudy study_run(Scene const& scene, RunOptions const& options, StageObserver 
     if (study.sequences.empty())
         throw NumericalError(ErrorCode::not_converged, "run", "positions of the wave generator", study.missing.front(),
                              "write a smaller torque, or another circular_spline.backlash_offset");
+    if (!elastic && checked.errors && checked.errors->wave_generator)
+        study.solution.notes.emplace_back(
+            "errors.wave_generator has no effect without a torque: set load.torque, or --torque above 0");
     study.solution.notes.insert(study.solution.notes.end(), study.missing.begin(), study.missing.end());
     study.solution.plan = plan_run(scene, options);
     study.solution.scene = scene;

@@ -349,7 +349,6 @@ TEST_CASE("contact law: the written outline is that of the part whose contact is
     Keys const offset{"circular_spline.backlash_offset=0.01"};
     ContactStudy const plane = study_contact(builtin_scene(with(offset, {"contact.flank_points=40"})));
     CHECK(plane.solution.circular_spline.outline == solve(builtin_scene(offset)).circular_spline.outline);
-    CHECK(plane.side_clearance == 0.01);
     // slices: all flanks are the side clearance into the material of what they are without
     for (ToothSurface const surface : {ToothSurface::tilted, ToothSurface::per_slice}) {
         // a tilted outline is given what it takes, the slices' own need nothing
@@ -360,7 +359,6 @@ TEST_CASE("contact law: the written outline is that of the part whose contact is
         CircularSplineOutline const& part = study.solution.circular_spline;
         INFO(to_string(surface) << ": side clearance " << one.backlash_offset / um << " um");
         REQUIRE(one.backlash_offset > um);
-        CHECK(study.side_clearance == one.backlash_offset);
         CHECK(study.solution.notes.empty());
         ConedDrive drive(builtin_scene(coned("mapped")), 3);
         conjugate::MatchedOutline const bare =
@@ -379,7 +377,6 @@ TEST_CASE("contact law: the written outline is that of the part whose contact is
             CHECK(least > 0.9 * one.backlash_offset);
         }
     }
-    CHECK(study_contact(builtin_scene({"contact.flank_points=40"})).side_clearance == 0);
 }
 
 TEST_CASE("contact law: a side clearance that solve looks for by itself is the least one of contact", "[law][contact]")

@@ -65,9 +65,9 @@ TEST_CASE("contact law: of the part as written no tooth enters a flank, from its
         ContactStudy const made = study_contact(scene);
         CircularSplineOutline const& spline = made.solution.circular_spline;
         ConedDrive drive(scene, 3);
-        INFO(row.keys.front() << ", " << row.keys.back() << ": side clearance " << made.side_clearance
+        INFO(row.keys.front() << ", " << row.keys.back() << ": side clearance " << made.cases.front().backlash_offset
                               << " mm, tip circle " << made.cases.front().least_tip_radius << " mm");
-        CHECK(made.side_clearance > row.at_least);
+        CHECK(made.cases.front().backlash_offset > row.at_least);
         double least = 1;
         for (std::size_t k = 0; k < 3; ++k) {
             oracle::TouchScan scan(drive.slice_scene(k), 1200);
@@ -94,7 +94,6 @@ TEST_CASE("contact law: flank area is that of the part as written", "[law][conta
         Scene const scene = builtin_scene(keys);
         ContactStudy const study = study_contact(scene);
         CircularSplineOutline const& spline = study.solution.circular_spline;
-        REQUIRE(study.side_clearance == study.cases.front().backlash_offset);
         std::vector<double> length;
         for (auto const& points : spline.outline) {
             length.push_back(0);
@@ -108,7 +107,7 @@ TEST_CASE("contact law: flank area is that of the part as written", "[law][conta
                     static_cast<double>(length.size() - 1);
         if (length.size() == 1)
             area = length.front() * *scene.circular_spline.width;
-        INFO(keys.front() << ", side clearance " << study.side_clearance << " mm");
+        INFO(keys.front() << ", side clearance " << study.cases.front().backlash_offset << " mm");
         // of a tilted one lengths between the slices are nearly straight lines
         CHECK(study.cases.front().state.flank_area == Approx(area * scene.drive.circular_spline_teeth).epsilon(3e-6));
     }

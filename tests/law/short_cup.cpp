@@ -42,7 +42,7 @@ Scene wide_drive(double diameter, int slices, double torque)
 /// Largest distance between the teeth of `load` and those of `contact` on the assembled cup [mm].
 double apart(Scene const& scene)
 {
-    load::LoadedDriveData const owned{load::contact_data(load::checked_scene(scene, {}), {})};
+    load::LoadedDriveData const owned{load::contact_data(load::checked_scene(scene, {}), false, {})};
     contact::ContactContext const& context = *owned.data->context;
     load::LoadModel const model = load::load_model(context, load::load_grid(context));
     load::LoadedDrive const assembled = load::assembly(context, model.drive);

@@ -2,6 +2,7 @@
 #include "solve_plane.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "conjugate_solver.hpp"
 #include "drive/drive.hpp"
@@ -23,6 +24,7 @@ void solve_cup(Solution& out, wavegen::AnyWaveShape const& shape, std::optional<
     if (!out.cup)
         out.cup = drive::bent_cup(scene, out.geometry.flexspline_inner_radius, shape, out.threads);
     std::optional<BentCupError> known;
+    out.error.cup = std::numeric_limits<double>::quiet_NaN();
     if (width_of_error) {
         known = drive::cup_error(scene, *out.cup, shape, out.geometry.r_m, *width_of_error, out.threads);
         out.error.cup = known->displacement;

@@ -2,6 +2,7 @@
 // The context of a study with all that it refers to.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -74,12 +75,14 @@ inline void require_planes(Scene const& scene, std::vector<double> const& z)
 struct ContactStudyData
 {
     /// @param planes  across the face width; absent: the scene's slices
-    ContactStudyData(Scene const& asked, Verb verb, StageObserver const& on_stage, std::optional<int> planes = {})
+    /// @param errors  false: how well an elastic cup is known is not asked
+    ContactStudyData(Scene const& asked, Verb verb, StageObserver const& on_stage, std::optional<int> planes = {},
+                     bool errors = true)
         : scene(asked),
           plan(make_plan(scene, verb)),
           clock(plan, on_stage),
           plane(solved_plane(middle_scene(scene), on_stage,
-                             plan.has(Stage::load) ? std::nullopt : std::optional(drive::width_of_slices(scene)))),
+                             errors ? std::optional(drive::width_of_slices(scene)) : std::nullopt)),
           threads(middle.threads)
     {
         middle.scene.coning = scene.coning;
@@ -104,6 +107,20 @@ struct ContactStudyData
     ContactStudyData(ContactStudyData const&) = delete;
     ContactStudyData& operator=(ContactStudyData const&) = delete;
 
+    /// The pair at z = 0 with a side clearance and a tip circle [mm]; solved once, and not where it is `middle`.
+    /// @throws NumericalError where it cannot be made
+    [[nodiscard]] Solution const& plane_with(double side_clearance, double tip)
+    {
+        if (side_clearance == 0 && tip == middle.geometry.circular_spline_inner_radius)
+            return middle;
+        auto known = solved.find({side_clearance, tip});
+        if (known == solved.end())
+            known =
+                solved.try_emplace({side_clearance, tip}, plane_with_clearance(scene, side_clearance, tip, middle.cup))
+                    .first;
+        return known->second.solution;
+    }
+
     Scene scene;
     Plan plan;
     drive::StageClock clock;
@@ -115,6 +132,9 @@ struct ContactStudyData
     ToothPoseCache places;
     std::optional<surface::ToothSurfaceBuilder> maker;
     std::optional<ContactContext> context;
+
+  private:
+    std::map<std::pair<double, double>, conjugate::SolvedPlane> solved;  // by side clearance and tip circle
 };
 
 }  // namespace hdconj::contact

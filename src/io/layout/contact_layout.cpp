@@ -142,7 +142,7 @@ void layout::write_solution(Writer const& root, Solution const& solution, double
 
 void layout::write_result(Writer const& root, ContactStudy const& study)
 {
-    write_solution(root, study.solution, study.side_clearance);
+    write_solution(root, study.solution, written_side_clearance(study));
     root.group("contact", [&](Writer const& contact) {
         write_attributes(contact, figures::contact_study_figures(), study);
         write_contact_cases(contact, study.cases, study.estimated);

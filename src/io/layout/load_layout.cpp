@@ -244,7 +244,7 @@ void write_pitch_errors(Writer const& place, PitchErrors const& errors)
 
 void layout::write_result(Writer const& root, LoadStudy const& study, Measurement const* measured)
 {
-    write_solution(root, study.solution, study.side_clearance);
+    write_solution(root, study.solution, written_side_clearance(study));
     root.group("load", [&](Writer const& load) {
         write_attributes(load, figures::load_study_figures(), study);
         write_load_cases(load, study.cases, study.balls);

@@ -43,6 +43,13 @@ void write_solution(Writer const& root, Solution const& solution);
 /// @throws std::logic_error where slices differ in their number of points, or z in its number
 void write_circular_spline(Writer const& place, CircularSplineOutline const& outline);
 
+/// The side clearance of the written case [mm]; 0 without cases.
+template <class Study>
+[[nodiscard]] double written_side_clearance(Study const& study)
+{
+    return study.cases.empty() ? 0 : study.cases[study.written_case].backlash_offset;
+}
+
 /// All of a solution, its circular spline with the side clearance [mm] and, where there is one, the toothed surface.
 void write_solution(Writer const& root, Solution const& solution, double side_clearance);
 

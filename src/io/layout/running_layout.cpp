@@ -39,7 +39,7 @@ void write_losses(Writer const& place, RunLosses const& losses)
 
 void layout::write_result(Writer const& root, RunStudy const& study)
 {
-    write_solution(root, study.solution, study.side_clearance);
+    write_solution(root, study.solution, study.backlash_offset);
     root.group("running", [&](Writer const& place) {
         place.attribute("output", std::string(to_string(study.output)));
         place.attribute("elastic", study.elastic ? 1 : 0);

@@ -240,7 +240,7 @@ LoadingPath loading_path(Scene const& scene, LoadOptions const& options)
     return path;
 }
 
-LoadedDriveData contact_data(Scene const& scene, StageObserver const& on_stage)
+LoadedDriveData contact_data(Scene const& scene, bool errors, StageObserver const& on_stage)
 {
     constexpr double step = 0.04;  // of the module
     constexpr int most_steps = 10;
@@ -250,7 +250,7 @@ LoadedDriveData contact_data(Scene const& scene, StageObserver const& on_stage)
         try {
             if (i > 0)
                 widened.circular_spline.inner_radius = standard_tip(widened) + step * scene.drive.module;
-            return {std::make_unique<contact::ContactStudyData>(widened, Verb::load, on_stage),
+            return {std::make_unique<contact::ContactStudyData>(widened, Verb::load, on_stage, std::nullopt, errors),
                     i * step * scene.drive.module};
         } catch (NumericalError const& error) {
             if (given || i == most_steps || error.code() != ErrorCode::no_land || error.stage() != "region")

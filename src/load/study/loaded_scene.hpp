@@ -26,8 +26,9 @@ struct LoadedDriveData
 
 /// Where the scene gives no tip circle and the standard one, made for a ring that does not cone, leaves no land, the
 /// tip circle is widened in steps of 4 % of the module.
+/// @param errors  whether it is asked how well the cup is known
 /// @throws NumericalError where the drive has no solution
-[[nodiscard]] LoadedDriveData contact_data(Scene const& scene, StageObserver const& on_stage);
+[[nodiscard]] LoadedDriveData contact_data(Scene const& scene, bool errors, StageObserver const& on_stage);
 
 /// What of the options concerns the surfaces.
 [[nodiscard]] ContactOptions contact_options(LoadOptions const& options);

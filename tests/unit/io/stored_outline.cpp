@@ -75,8 +75,8 @@ TEST_CASE("a stored outline of a case says so, and its side clearance", "[wire]"
     test::TemporaryFolder const folder;
     auto contact = sample::contact_study(5);
     auto load = sample::load_study();
-    contact.side_clearance = 0.03;
-    load.side_clearance = 0.0573;
+    contact.cases[contact.written_case].backlash_offset = 0.03;
+    load.cases[load.written_case].backlash_offset = 0.0573;
     write_hdf5(contact, folder / "contact.h5");
     write_hdf5(load, folder / "load.h5");
     auto const of_contact = read_outline(folder / "contact.h5"), of_load = read_outline(folder / "load.h5");

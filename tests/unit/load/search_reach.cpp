@@ -25,7 +25,7 @@ struct Drive
         load::checked_scene(
             builtin_scene({"slices.count=3", "contact.flank_points=60", "bearing.circles=5", "tilt.angle_deg=0.1"}),
             {}),
-        {})};
+        false, {})};
     contact::ContactContext const& context = *owned.data->context;
     load::LoadGrid grid = load::load_grid(context);
     load::LoadModel model = load::load_model(context, grid);
