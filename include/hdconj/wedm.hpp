@@ -227,6 +227,7 @@ using WireSetUps = std::vector<WireProgram>;
 
 /// The same with the circular spline of @p solution, its slices from -b/2 to +b/2. Errors, notes and judgement are
 /// those of @p solution too; what they say of the wire is judged anew for that of @p scene.
+/// @param scene     with [wedm]; its drive is that of @p solution
 /// @param solution  as StoredOutline has it
 /// @throws InputError also where the slices are not those of the face width
 [[nodiscard]] WireProgram wire_program(Scene const& scene, Solution const& solution);
