@@ -79,12 +79,12 @@ Note const* find(Notes const& notes, NoteCode code)
     return found == notes.end() ? nullptr : &*found;
 }
 
-/// How far the figure of @p note lies outside its usual range; 0: there is no note.
-double beyond(Note const* note)
+/// How far the figure of @p note lies outside the range that is usual for @p scene; 0: there is no note.
+double beyond(Note const* note, Scene const& scene)
 {
     if (note == nullptr)
         return 0;
-    DesignRange const& usual = design_limits()[static_cast<std::size_t>(note->code)].usual;
+    DesignRange const usual = design_limits(scene)[static_cast<std::size_t>(note->code)].usual;
     return std::max(usual.low - note->figure, note->figure - usual.high);
 }
 
@@ -121,13 +121,13 @@ class AdviceSearch
     {
         constexpr double enough = 0.9;
         std::optional<Tried> best;
-        double least = enough * beyond(find(given_.judgement, code));
+        double least = enough * beyond(find(given_.judgement, code), given_.scene);
         for (Settings const& way : ways) {
             Settings const settings = joined(now_.settings, way);
             auto tried = settings.empty() ? std::nullopt : drive_with(given_, settings);
             if (!tried || !keeps_advised(tried->notes) || warns_anew(given_.judgement, tried->notes))
                 continue;
-            double const off = beyond(find(tried->notes, code));
+            double const off = beyond(find(tried->notes, code), given_.scene);
             bool const ends = off == 0 && all_known(tried->notes);
             if (ends || off < least) {
                 least = off;
@@ -164,8 +164,9 @@ class AdviceSearch
     /// Whether no note that has its advice is worse in @p after than with that.
     [[nodiscard]] bool keeps_advised(Notes const& after) const
     {
-        return std::ranges::all_of(
-            advised_, [&](NoteCode code) { return beyond(find(after, code)) <= beyond(find(now_.notes, code)); });
+        return std::ranges::all_of(advised_, [&](NoteCode code) {
+            return beyond(find(after, code), given_.scene) <= beyond(find(now_.notes, code), given_.scene);
+        });
     }
 
     [[nodiscard]] bool all_known(Notes const& after) const
