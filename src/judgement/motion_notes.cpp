@@ -85,8 +85,8 @@ std::optional<Note> undercut(Solution const& solution)
     if (!note)
         return note;
     note->place = "flank of the tooth space";
-    note->cause = "a flank touches over " + short_number(to_deg(contact.used), 3) + " degrees, and " +
-                  short_number(to_deg(contact.lost), 3) + " more of contacts that end in a cusp are cut away";
+    note->cause = "a flank touches over " + short_number(to_deg(contact.used), 3) + " degrees and loses " +
+                  short_number(to_deg(contact.lost), 3) + " degrees to undercut, where its contact ends in a cusp";
     std::string const& family = solution.scene.given_profile().family;
     note->advice = family == "double-circular-arc" || family == "arc-chain" ? "write a flank with a larger radius there"
                                                                             : "take a tooth of another family";

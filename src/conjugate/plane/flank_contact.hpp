@@ -17,8 +17,8 @@ namespace hdconj::conjugate {
 class FlankContactSum
 {
   public:
-    /// Adds those of @p pieces, which index @p arcs, and the contacts of @p arcs that reach a cusp in the space that
-    /// the boundary is to bound, as far as @p in_space says that they lie there.
+    /// Adds the polar angles over which @p pieces of a boundary, which index @p arcs, touch a flank, and those of the
+    /// contacts of @p arcs that reach a cusp, as far as @p in_space says that they lie in the space to be bounded.
     void add(envelope::AnyEnvelope const& envelope, std::vector<envelope::ContactArc> const& arcs,
              std::vector<BoundaryPiece> const& pieces, std::function<bool(Vec2 const&)> const& in_space);
 
