@@ -12,7 +12,7 @@
 
 #include "accuracy/reference/reference_contact.hpp"
 #include "hdconj/base/stop.hpp"
-#include "polyline_tree.hpp"
+#include "region/segment_tree.hpp"
 #include "study_drive.hpp"
 
 namespace hdconj::accuracy {
@@ -72,7 +72,7 @@ class ToothPolygon
     }
 
     std::vector<Vec2> points_;
-    PolylineTree sides_;
+    region::SegmentTree sides_;
     double low_ = 0, high_ = 0, wide_ = 0;
     static constexpr std::size_t levels = 256;
     std::array<std::vector<std::size_t>, levels> at_level_;  ///< sides by height, for the even-odd rule

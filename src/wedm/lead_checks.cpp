@@ -13,7 +13,7 @@
 
 #include "checks.hpp"
 #include "passes.hpp"
-#include "segment_grid.hpp"
+#include "region/segment_tree.hpp"
 
 namespace hdconj::wedm {
 namespace {
@@ -34,7 +34,8 @@ double distance_of_way(Vec2 const& a, Vec2 const& b, std::vector<Vec2> const& co
 {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < contour.size(); ++i)
-        least = std::min(least, distance_of_segments(a, b, contour[i], contour[i + 1 == contour.size() ? 0 : i + 1]));
+        least = std::min(least,
+                         region::distance_of_segments(a, b, contour[i], contour[i + 1 == contour.size() ? 0 : i + 1]));
     return least;
 }
 
@@ -42,8 +43,9 @@ double distance_of_point(Vec2 const& p, std::vector<Vec2> const& contour)
 {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < contour.size(); ++i)
-        least = std::min(least, distance_to_segment(p, contour[i], contour[i + 1 == contour.size() ? 0 : i + 1]));
-    return least;
+        least =
+            std::min(least, region::segment_foot(p, contour[i], contour[i + 1 == contour.size() ? 0 : i + 1]).squared);
+    return std::sqrt(least);
 }
 
 /// Distance that a lead has to keep from the part, off which the path and the edges of the contour may each be [mm].

@@ -9,7 +9,7 @@
 
 #include "hdconj/base/stop.hpp"
 #include "lean.hpp"
-#include "segment_grid.hpp"
+#include "region/segment_tree.hpp"
 
 namespace hdconj::wedm {
 namespace {
@@ -90,27 +90,16 @@ std::optional<std::pair<double, double>> crossing(Vec2 const& a, Vec2 const& b, 
     return inside ? std::optional(std::pair(t, u)) : std::nullopt;
 }
 
-/// Axis-parallel box of an edge.
-struct Box
-{
-    Vec2 low, high;
-    Box(Vec2 const& a, Vec2 const& b) : low(a.cwiseMin(b)), high(a.cwiseMax(b)) {}
-    [[nodiscard]] bool meets(Box const& o) const
-    {
-        return (low.array() <= o.high.array()).all() && (o.low.array() <= high.array()).all();
-    }
-};
-
 std::vector<Jump> loops(std::vector<Vec2> const& c)
 {
-    SegmentGrid const grid(c, false);
+    region::SegmentTree const path(c);
     std::vector<Jump> found;
     double done = 0;  // parameter up to which the path is settled
     for (std::size_t i = 0; i + 1 < c.size();) {
         end_if_stopped();
         std::optional<Jump> first;
-        for (std::size_t const j : grid.near(i)) {
-            if (j < i + 2 || !Box(c[i], c[i + 1]).meets(Box(c[j], c[j + 1])))
+        for (std::size_t const j : path.near(i)) {
+            if (j < i + 2)
                 continue;
             auto const shares = crossing(c[i], c[i + 1], c[j], c[j + 1]);
             double const from = shares ? static_cast<double>(i) + shares->first : 0;

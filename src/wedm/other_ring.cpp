@@ -8,7 +8,7 @@
 
 #include "hdconj/units.hpp"
 #include "hdconj/wedm.hpp"
-#include "wedm/segment_grid.hpp"
+#include "wedm/seen_distance.hpp"
 
 namespace hdconj {
 namespace {
@@ -22,9 +22,9 @@ double off_the_cut(CircularSplineOutline const& ring, WireProgram const& cut)
         std::vector<Vec2> line = cut.nominal.lower;
         for (std::size_t i = 0; i < line.size(); ++i)
             line[i] += share * (cut.nominal.upper[i] - line[i]);
-        wedm::SegmentGrid const contour(std::move(line), true);
+        region::SegmentTree const contour(std::move(line), true);
         for (Vec2 const& p : points)
-            most = std::max(most, contour.distance(p));
+            most = std::max(most, wedm::seen_distance(contour, p));
     };
     measure(ring.outline.front(), ring.z.front());
     measure(ring.outline.back(), ring.z.back());

@@ -39,29 +39,53 @@ bool reaches(PairedPath const& path, std::size_t a, std::size_t b, double tolera
     return true;
 }
 
+/// A point up to @p end that one move from point @p from reaches, and the next one not: sought in steps that double and
+/// then in halves, so that the work grows with the number of points and not with its square.
+std::size_t reached_from(PairedPath const& path, std::size_t from, std::size_t end, double tolerance)
+{
+    std::size_t good = from + 1, bad = end + 1;
+    for (std::size_t step = 1; good + step < bad; step *= 2) {
+        if (reaches(path, from, good + step, tolerance))
+            good += step;
+        else
+            bad = good + step;
+    }
+    while (bad - good > 1) {
+        std::size_t const middle = good + (bad - good) / 2;
+        (reaches(path, from, middle, tolerance) ? good : bad) = middle;
+    }
+    return good;
+}
+
+/// What a choice of moves may lose of the tolerance by points that it does not look at.
+constexpr double share_of_choice = 1.0 / 256;
+
 }  // namespace
 
 std::vector<std::size_t> thinned_to_long_moves(PairedPath const& path, double tolerance, IsShort const& is_short)
 {
+    std::vector<std::size_t> const chosen = thinned(path, share_of_choice * tolerance);
+    PairedPath const few = taken(path, chosen);
+    double const left = (1 - 2 * share_of_choice) * tolerance;  // off a line between chosen points in either face
     // the cheapest way to each point: short moves, moves, and the point before
     struct Way
     {
         std::size_t shorts = 0, moves = 0, from = 0;
     };
     constexpr std::size_t unknown = std::numeric_limits<std::size_t>::max();
-    std::vector<Way> ways(path.size(), {unknown, unknown, 0});
+    std::vector<Way> ways(few.size(), {unknown, unknown, 0});
     ways.front() = {};
-    for (std::size_t a = 0; a + 1 < path.size(); ++a) {
+    for (std::size_t a = 0; a + 1 < few.size(); ++a) {
         end_if_stopped();
-        for (std::size_t b = a + 1; b < path.size() && reaches(path, a, b, tolerance); ++b) {
-            Way const way{ways[a].shorts + (is_short(a, b) ? 1 : 0), ways[a].moves + 1, a};
+        for (std::size_t b = a + 1; b < few.size() && reaches(few, a, b, left); ++b) {
+            Way const way{ways[a].shorts + (is_short(chosen[a], chosen[b]) ? 1 : 0), ways[a].moves + 1, a};
             if (std::pair(way.shorts, way.moves) < std::pair(ways[b].shorts, ways[b].moves))
                 ways[b] = way;
         }
     }
     std::vector<std::size_t> kept{path.size() - 1};
-    while (kept.back() > 0)
-        kept.push_back(ways[kept.back()].from);
+    for (std::size_t at = few.size() - 1; at > 0; at = ways[at].from)
+        kept.push_back(chosen[ways[at].from]);
     std::reverse(kept.begin(), kept.end());
     return kept;
 }
@@ -77,10 +101,7 @@ std::vector<std::size_t> thinned(PairedPath const& path, double tolerance, std::
         while (next_kept != keep.end() && *next_kept <= from)
             ++next_kept;
         std::size_t const end = next_kept == keep.end() ? last : std::min(last, *next_kept);
-        std::size_t to = from + 1;
-        while (to < end && reaches(path, from, to + 1, tolerance))
-            ++to;
-        kept.push_back(to);
+        kept.push_back(reached_from(path, from, end, tolerance));
     }
     return kept;
 }

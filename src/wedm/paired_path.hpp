@@ -37,13 +37,14 @@ struct PairedPath
 /// Whether the move from point a to point b of a path is too short.
 using IsShort = std::function<bool(std::size_t a, std::size_t b)>;
 
-/// As thinned(), but of all such moves those of which the fewest are short, and then the fewest.
+/// As thinned(), but of the moves between points of a path thinned to 1/256 of the tolerance those of which the fewest
+/// are short, and then the fewest. They keep to that tolerance of every point of @p path.
 [[nodiscard]] std::vector<std::size_t> thinned_to_long_moves(PairedPath const& path, double tolerance,
                                                              IsShort const& is_short);
 
 /// Indices of points whose straight moves keep to within @p tolerance [mm] of every point of @p path, as measured by
 /// from_move; the ends and @p keep (increasing) are among them. Greedy from the first point, so not always the fewest.
-/// A path of at least 2 points.
+/// A path of at least 2 points; n points take some n log n measurements.
 [[nodiscard]] std::vector<std::size_t> thinned(PairedPath const& path, double tolerance,
                                                std::vector<std::size_t> const& keep = {});
 

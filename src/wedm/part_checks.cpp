@@ -10,14 +10,14 @@
 #include "checks.hpp"
 #include "passes.hpp"
 #include "planes.hpp"
-#include "segment_grid.hpp"
+#include "seen_distance.hpp"
 
 namespace hdconj::wedm {
 namespace {
 
-SegmentGrid neighbourhood(std::vector<Vec2> const& pitch, WireFaces const& faces)
+region::SegmentTree neighbourhood(std::vector<Vec2> const& pitch, WireFaces const& faces)
 {
-    return {with_neighbours(pitch, faces, pitch.size() - 1), false};
+    return region::SegmentTree(with_neighbours(pitch, faces, pitch.size() - 1));
 }
 
 }  // namespace
@@ -25,8 +25,8 @@ SegmentGrid neighbourhood(std::vector<Vec2> const& pitch, WireFaces const& faces
 WireFailures check_sweep(WireFaces const& faces, WireProgram& program)
 {
     WireFailures failures;
-    std::array<SegmentGrid, 2> const part{neighbourhood(faces.pitch.lower, faces),
-                                          neighbourhood(faces.pitch.upper, faces)};
+    std::array<region::SegmentTree, 2> const part{neighbourhood(faces.pitch.lower, faces),
+                                                  neighbourhood(faces.pitch.upper, faces)};
     for (WirePass const& pass : program.passes) {
         PairedPath const path = pitch_of(pass, program);
         // along a straight block the distance of a corner changes by step^2/(8 offset) between two places
@@ -37,7 +37,7 @@ WireFailures check_sweep(WireFaces const& faces, WireProgram& program)
             Lean const lean(lower, upper, program.machine.thickness);
             for (bool const in_upper : {false, true}) {
                 Vec2 const& p = in_upper ? upper : lower;
-                double const error = std::abs(part[in_upper ? 1 : 0].distance(p, lean) - pass.offset);
+                double const error = std::abs(seen_distance(part[in_upper ? 1 : 0], p, lean) - pass.offset);
                 place = error > worst ? p : place;
                 worst = std::max(worst, error);
             }
@@ -65,20 +65,20 @@ WireFailures check_sections(WireFaces const& faces, std::vector<std::vector<char
     WireFailures failures;
     WireFigures& figures = program.figures;
     for (SectionBetween const& between : faces.between) {
-        SegmentGrid const rulings = neighbourhood(section(faces.pitch, program.machine, between.share), faces);
+        region::SegmentTree const rulings = neighbourhood(section(faces.pitch, program.machine, between.share), faces);
         double ruling = 0;
         for (Vec2 const& p : between.points)
-            ruling = std::max(ruling, rulings.distance(p));
+            ruling = std::max(ruling, seen_distance(rulings, p));
         figures.ruling_error = std::max(figures.ruling_error, ruling);
         for (std::size_t n = 0; n < program.passes.size(); ++n) {
             WirePass const& pass = program.passes[n];
-            SegmentGrid const wire =
+            region::SegmentTree const wire =
                 neighbourhood(section(pitch_of(pass, program), program.machine, between.share), faces);
             double worst = 0;
             Vec2 where = Vec2::Zero();
             for (std::size_t i = 0; i < between.points.size(); ++i) {
                 Lean const lean(faces.pitch.lower[i], faces.pitch.upper[i], program.machine.thickness);
-                double const error = wire.distance(between.points[i], lean) - pass.offset;
+                double const error = seen_distance(wire, between.points[i], lean) - pass.offset;
                 double const counted = residual_at[n][i] != 0 ? std::max(0.0, -error) : std::abs(error);
                 where = counted > worst ? between.points[i] : where;
                 worst = std::max(worst, counted);
@@ -121,7 +121,7 @@ LargestDistance constant_taper_error(WireFaces const& faces)
     std::vector<Vec2> const &low = faces.pitch.lower, &up = faces.pitch.upper;
     if (low == up)
         return {};
-    SegmentGrid const lower = neighbourhood(low, faces);
+    region::SegmentTree const lower = neighbourhood(low, faces);
     double const shift = up.front().norm() - low.front().norm();
     constexpr double reached = 0.999;  // of the shift: what is nearer to another place than its own is cut away
     double walls = 0, kept = 0;        // length in the lower face, and that of what a taper leaves of it
@@ -133,9 +133,9 @@ LargestDistance constant_taper_error(WireFaces const& faces)
         if (faces.wall[i] != 0 && faces.wall[i - 1] != 0) {
             Vec2 const edge = low[i] - low[i - 1], out = right_of(edge.normalized());
             Vec2 const from = 0.5 * (low[i - 1] + low[i]), to = 0.5 * (up[i - 1] + up[i]);
-            here = std::abs(std::copysign(lower.distance(to), out.dot(to - from)) - shift);
+            here = std::abs(std::copysign(seen_distance(lower, to), out.dot(to - from)) - shift);
             walls += edge.norm();
-            kept += lower.distance(from + shift * out) >= reached * std::abs(shift) ? edge.norm() : 0;
+            kept += seen_distance(lower, from + shift * out) >= reached * std::abs(shift) ? edge.norm() : 0;
         }
         if (here > worst.value) {
             worst = {here, before >= 0 ? here - before : 0};

@@ -9,7 +9,7 @@
 #include "hdconj/base/tolerance.hpp"
 #include "passes.hpp"
 #include "planes.hpp"
-#include "segment_grid.hpp"
+#include "region/segment_tree.hpp"
 
 namespace hdconj::wedm {
 namespace {
@@ -43,7 +43,7 @@ void check_round(Round const& round, WireMachine const& machine, WireFailures& f
             failures.push_back(fmt::format("{} has {} points: no contour", place, points.size()));
             continue;
         }
-        auto const [i, j] = SegmentGrid(points, closed).crossing();
+        auto const [i, j] = region::SegmentTree(points, closed).crossing();
         if (i != j)
             failures.push_back(
                 fmt::format("{} crosses itself at {}: moves {} and {}", place, place_text(points[i]), i, j));

@@ -15,7 +15,6 @@
 #include "hdconj/error.hpp"
 #include "hdconj/units.hpp"
 #include "passes.hpp"
-#include "segment_grid.hpp"
 
 namespace hdconj::wedm {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "segment_grid.hpp"
+#include "seen_distance.hpp"
 
 namespace hdconj::wedm {
 namespace {
@@ -66,10 +66,10 @@ std::vector<char> widened(std::vector<char> const& narrow)
 std::vector<double> uncut_heights(std::vector<Vec2> const& nominal, std::vector<Vec2> const& wire, double offset,
                                   double tolerance, std::vector<Lean> const& leans)
 {
-    SegmentGrid const grid(wire, false);
+    region::SegmentTree const line(wire);
     std::vector<double> heights(nominal.size(), 0.0);
     for (std::size_t i = 1; i + 1 < nominal.size(); ++i) {
-        double const height = grid.distance(nominal[i], leans.empty() ? Lean() : leans[i]) - offset;
+        double const height = seen_distance(line, nominal[i], leans.empty() ? Lean() : leans[i]) - offset;
         heights[i] = height > tolerance ? height : 0;
     }
     return heights;
@@ -78,11 +78,11 @@ std::vector<double> uncut_heights(std::vector<Vec2> const& nominal, std::vector<
 double way_to_residual(std::vector<Vec2> const& nominal, std::vector<double> const& heights,
                        std::vector<Vec2> const& reached)
 {
-    SegmentGrid const grid(reached, false);
+    region::SegmentTree const line(reached);
     double way = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < nominal.size(); ++i)
         if (heights[i] > 0)
-            way = std::min(way, grid.distance(nominal[i]) - heights[i]);
+            way = std::min(way, seen_distance(line, nominal[i]) - heights[i]);
     return way;
 }
 

@@ -60,11 +60,11 @@ std::vector<Vec2> dense(std::vector<ReferencePatch> const& patches)
 /// Distance of each of @p points, which follow each other, from @p polygon.
 std::vector<double> gaps(std::vector<Vec2> const& points, std::vector<Vec2> const& polygon)
 {
-    PolylineTree const tree(polygon);
+    region::SegmentTree const tree(polygon);
     std::size_t near = 0;
     std::vector<double> distances;
     for (Vec2 const& p : points) {
-        PolylineTree::Nearest const found = tree.nearest(p, near);
+        region::SegmentTree::Nearest const found = tree.nearest(p, near);
         near = found.segment;
         distances.push_back(found.distance);
     }
@@ -116,7 +116,7 @@ ReferenceCurve::Foot ReferenceCurve::refined(long double x, long double y, std::
 ReferenceCurve::Foot ReferenceCurve::foot(long double x, long double y, std::size_t& near) const
 {
     end_if_stopped();
-    PolylineTree::Nearest const found = tree_.nearest({static_cast<double>(x), static_cast<double>(y)}, near);
+    region::SegmentTree::Nearest const found = tree_.nearest({static_cast<double>(x), static_cast<double>(y)}, near);
     near = found.segment;
     std::size_t const patch = std::min(found.segment / patch_steps, patches_.size() - 1);
     auto const along = static_cast<long double>(found.segment - patch * patch_steps) + found.share;

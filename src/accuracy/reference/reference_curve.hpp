@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "accuracy/polyline_tree.hpp"
 #include "hdconj/base/vec2.hpp"
+#include "region/segment_tree.hpp"
 
 namespace hdconj::accuracy {
 
@@ -70,7 +70,7 @@ class ReferenceCurve
     std::vector<ReferencePatch> patches_;
     std::vector<ReferencePatch> slopes_;
     std::vector<Vec2> points_;
-    PolylineTree tree_;
+    region::SegmentTree tree_;
     double error_;
 };
 

@@ -12,7 +12,7 @@
 
 #include "grid.hpp"
 #include "hdconj/base/stop.hpp"
-#include "wedm/segment_grid.hpp"
+#include "wedm/seen_distance.hpp"
 
 namespace hdconj::wedm {
 namespace {
@@ -251,11 +251,11 @@ double distance_of_lines(std::vector<Vec2> const& a, std::vector<Vec2> const& b)
 {
     double most = 0;
     auto const measure = [&](std::vector<Vec2> const& from, std::vector<Vec2> const& to) {
-        SegmentGrid const grid(to, false);
+        region::SegmentTree const line(to);
         for (std::size_t i = 0; i < from.size(); ++i) {
-            most = std::max(most, grid.distance(from[i]));
+            most = std::max(most, seen_distance(line, from[i]));
             if (i > 0)
-                most = std::max(most, grid.distance(0.5 * (from[i] + from[i - 1])));
+                most = std::max(most, seen_distance(line, 0.5 * (from[i] + from[i - 1])));
         }
     };
     measure(a, b);

@@ -2,10 +2,8 @@
 // What studies are measured with: nearest points, distances of curves, orders, floors and advice.
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include "accuracy/convergence_series.hpp"
-#include "accuracy/polyline_tree.hpp"
 #include "accuracy/reference/reference_curve.hpp"
 #include "hdconj/accuracy.hpp"
 #include "support/catch.hpp"
@@ -73,23 +71,6 @@ AccuracyReport report_of(std::vector<StudyRecord> const& records)
 }
 
 }  // namespace
-
-TEST_CASE("polyline tree: the nearest segment is that of a search through all", "[study]")
-{
-    std::mt19937_64 engine(7);
-    auto const number = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
-    std::vector<Vec2> points{{0, 0}};
-    for (int i = 0; i < 200; ++i)
-        points.push_back(points.back() + Vec2(number() - 0.3, number() - 0.5));
-    accuracy::PolylineTree const tree(points);
-    for (int k = 0; k < 300; ++k) {
-        Vec2 const p(80 * number() - 5, 20 * number() - 10);
-        double best = 1e9;
-        for (std::size_t i = 0; i + 1 < points.size(); ++i)
-            best = std::min(best, std::sqrt(accuracy::segment_foot(p, points[i], points[i + 1]).squared));
-        CHECK(tree.nearest(p, static_cast<std::size_t>(k) % 200).distance == Approx(best).epsilon(1e-14));
-    }
-}
 
 TEST_CASE("reference curve: distances from a circle", "[study]")
 {

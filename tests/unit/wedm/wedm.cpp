@@ -471,4 +471,26 @@ TEST_CASE("short moves are joined to others where the tolerance allows it", "[wi
             CHECK(wedm::from_move(path, k, even[i - 1], even[i]) <= sagitta);
 }
 
+TEST_CASE("a path a hundred times as fine has the same moves, and they are chosen among as many", "[wire]")
+{
+    std::size_t asked[2] = {}, moves[2] = {}, chosen[2] = {};
+    for (std::size_t const fine : {0, 1}) {
+        int const points = fine == 1 ? 200'000 : 2000;
+        wedm::PairedPath path;
+        for (int i = 0; i <= points; ++i) {
+            double const x = 6.0 * i / points;
+            path.add({x, 0.3 * std::sin(x)}, {x, 0.2 * std::cos(x)});
+        }
+        moves[fine] = wedm::thinned(path, 1e-3).size();
+        chosen[fine] = wedm::thinned_to_long_moves(path, 1e-3, [&](std::size_t, std::size_t) {
+                           ++asked[fine];
+                           return false;
+                       }).size();
+    }
+    CHECK(moves[1] <= moves[0] + 1);
+    CHECK(moves[1] + 2 >= moves[0]);
+    CHECK(chosen[1] <= chosen[0] + 2);  // points to choose from differ
+    CHECK(asked[1] < 2 * asked[0]);
+}
+
 }  // namespace hdconj::test::wedm_cases

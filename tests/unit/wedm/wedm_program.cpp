@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <random>
 
 #include <Eigen/Geometry>
 
@@ -17,7 +16,7 @@
 #include "wedm/checks.hpp"
 #include "wedm/faces.hpp"
 #include "wedm/planes.hpp"
-#include "wedm/segment_grid.hpp"
+#include "wedm/seen_distance.hpp"
 
 namespace hdconj::test::wedm_program_cases {
 
@@ -378,13 +377,14 @@ TEST_CASE("a thicker workpiece has the same toothing", "[wedm]")
             std::vector<Vec2> line = thick.pitch.lower;
             for (std::size_t i = 0; i < line.size(); ++i)
                 line[i] += (z / thickness + 0.5) * (thick.pitch.upper[i] - line[i]);
-            return wedm::SegmentGrid(std::move(line), false);
+            return region::SegmentTree(std::move(line));
         };
-        wedm::SegmentGrid const lower = section(-width / 2), upper = section(width / 2);
+        region::SegmentTree const lower = section(-width / 2), upper = section(width / 2);
         std::vector<double> off;
         for (std::size_t i = 0; i < thin.pitch.size(); ++i)
             if (thin.meshing[i] != 0)
-                off.push_back(std::max(lower.distance(thin.pitch.lower[i]), upper.distance(thin.pitch.upper[i])));
+                off.push_back(std::max(wedm::seen_distance(lower, thin.pitch.lower[i]),
+                                       wedm::seen_distance(upper, thin.pitch.upper[i])));
         // a loop that only the faces of the thick one have is cut off, and with it the rulings there
         std::ranges::sort(off);
         CHECK(off[off.size() * 98 / 100] < 1e-12);
@@ -511,29 +511,6 @@ TEST_CASE("wire data that cannot be right is refused with its key", "[wedm]")
     }
     CHECK(faults_of({"tilt.angle_deg=0.2"}).empty());
     CHECK_THROWS_AS(wire_program(builtin_scene({"wedm.largest_travel=20"})), NumericalError);
-}
-
-TEST_CASE("a grid of segments knows which may cross", "[wedm]")
-{
-    std::mt19937 random(11);
-    std::uniform_real_distribution<double> step(-1, 1);
-    std::vector<Vec2> line{{0, 0}};
-    for (int i = 0; i < 400; ++i)
-        line.push_back(line.back() + Vec2(step(random), step(random)));
-    wedm::SegmentGrid const grid(line, false);
-    auto const reach = [&](std::size_t i) {
-        return Eigen::AlignedBox2d(line[i].cwiseMin(line[i + 1]), line[i].cwiseMax(line[i + 1]));
-    };
-    std::size_t looked_at = 0;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        std::vector<std::size_t> const near = grid.near(i);
-        looked_at += near.size();
-        CHECK(std::ranges::is_sorted(near));
-        for (std::size_t j = 0; j + 1 < line.size(); ++j)
-            if (reach(i).intersects(reach(j)))
-                CHECK(std::ranges::binary_search(near, j));
-    }
-    CHECK(looked_at < 400 * 400 / 4);
 }
 
 }  // namespace hdconj::test::wedm_program_cases
