@@ -38,6 +38,14 @@ json drive_of(fs::path const& page)
     return drives_of(page).at(0);
 }
 
+/// What a page says in words where scripts do not run.
+std::string words_of(fs::path const& page)
+{
+    std::string const text = content(page);
+    std::size_t const from = text.find("<noscript>");
+    return text.substr(from, text.find("</noscript>") - from);
+}
+
 /// Without the times of the run, and without figures that this result has not: a page passes over them.
 json without_times(json part)
 {
@@ -105,6 +113,9 @@ TEST_CASE("the page of a running drive's file holds the numbers of the page that
     CHECK(numbers.at("running").at("groups").contains("sequence_001"));
     CHECK(without_times(here.at("results").at("run").at("groups")) == numbers);
     CHECK(here.at("teeth").is_object());
+    std::string const words = words_of(folder / "read.html");
+    for (char const* const each : {"starting_torque", "back_driving_torque", "peak_to_peak", "mean_torque"})
+        CHECK_THAT(words, ContainsSubstring(std::string("\n") + each + ' '));
 }
 
 TEST_CASE("a file that is no sound result is refused with what to do", "[report]")

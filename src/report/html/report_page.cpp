@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page of a report: data as JSON between the parts of the page that web/ holds.
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 
 #include "hdconj/contact_files.hpp"
@@ -23,6 +20,7 @@
 #include "static_chart.hpp"
 #include "static_map.hpp"
 #include "static_picture.hpp"
+#include "static_text.hpp"
 #include "static_wire.hpp"
 #include "stored_result.hpp"
 
@@ -156,25 +154,6 @@ Json notes_json(ReportedDrive const& drive)
     return notes;
 }
 
-/// The single figures of a result file: the program prints its summaries of what it computes.
-std::string stored_text(Json const& parts)
-{
-    std::string text;
-    Json const& summary = parts.at("solve").at("groups").at("summary");
-    Json const& values = summary.at("attributes");
-    for (Json const& figure : summary.at("figures")) {
-        auto const [name, value, error] =
-            std::array{figure[0].get<std::string>(), figure[1].get<std::string>(), figure[2].get<std::string>()};
-        if (!values.contains(value) || !values.at(value).is_number())
-            continue;
-        text += fmt::format("{:<28} {:>14.9g}", name, values.at(value).get<double>());
-        if (!error.empty() && values.contains(error) && values.at(error).is_number())
-            text += fmt::format(" +- {:.2g}", values.at(error).get<double>());
-        text += fmt::format(" {}\n", figure[3] == "1" ? "" : figure[3].get<std::string>());
-    }
-    return text;
-}
-
 std::string text_of(ReportedDrive const& drive)
 {
     if (drive.stored)
@@ -240,17 +219,26 @@ std::string script_data(Json const& data)
     return text;
 }
 
-/// What is read where scripts do not run: pictures and the printed summary of each drive.
+/// What is read where scripts do not run: pictures, the printed summary of each drive, what is noted on it and what the
+/// page does not hold.
 /// @param data  of the drives, as drive_json() makes them
 std::string static_part(Report const& report, Json const& data)
 {
     std::string html;
+    auto const add_text = [&](std::string const& text) {
+        if (!text.empty())
+            html += "<pre>" + escaped(text) + "</pre>";
+    };
     for (std::size_t i = 0; i < report.drives.size(); ++i) {
         Json const& results = data[i].at("results");
         html += "<h2>" + escaped(data[i].at("name")) + "</h2>" + static_picture(report.drives[i]) +
                 "<div class=\"figures\">" + static_gap_maps(results.value("contact", Json::object())) +
-                static_charts(results) + static_wire_path(results.value("wedm", Json::object())) + "</div><pre>" +
-                escaped(data[i].at("text")) + "</pre>";
+                static_charts(results) + static_wire_path(results.value("wedm", Json::object())) + "</div>";
+        add_text(data[i].at("text"));
+        if (report.drives[i].stored)  // the printed summaries have it
+            add_text(noted_text(data[i]));
+        if (std::string const missing = left_out_text(data[i]); !missing.empty())
+            add_text("Not in this page\n" + missing);
     }
     for (FailedDrive const& each : report.failed)
         html += "<h2>" + escaped(each.name) + "</h2><pre>" + escaped(each.why) + "</pre>";
