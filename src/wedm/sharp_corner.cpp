@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sharp_corner.hpp"
 
+#include <algorithm>
 #include <numbers>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "base/text.hpp"
 #include "hdconj/units.hpp"
 #include "judgement/judgement.hpp"
 #include "judgement/limits.hpp"
 #include "judgement/wire.hpp"
+#include "paired_path.hpp"
 #include "pitch_pass.hpp"
 
 namespace hdconj::wedm {
@@ -25,15 +29,50 @@ Scene judged(Scene const& scene)
     return wired;
 }
 
+/// Part of the wire's tolerance that a contour may lose by having fewer points: what moves and arcs leave of it.
+constexpr double share_of_contour = 1.0 / 32;
+
+/// @p outline with no more points than a wire of @p tolerance asks for: lines between those of the ends of the face
+/// width keep to that share of it, and what is marked stays.
+CircularSplineOutline with_fewer_points(CircularSplineOutline const& outline, double tolerance)
+{
+    std::vector<std::size_t> marked(outline.landmarks.begin(), outline.landmarks.end());
+    for (OutlinePiece const& piece : outline.pieces)
+        marked.insert(marked.end(), {piece.first, piece.last});
+    std::ranges::sort(marked);
+    std::vector<std::size_t> const kept =
+        thinned({outline.outline.front(), outline.outline.back()}, share_of_contour * tolerance, marked);
+    auto const number = [&](std::size_t point) {
+        return static_cast<std::size_t>(std::ranges::lower_bound(kept, point) - kept.begin());
+    };
+    CircularSplineOutline few = outline;
+    for (auto& points : few.outline) {
+        std::vector<Vec2> taken;
+        for (std::size_t const i : kept)
+            taken.push_back(points[i]);
+        points = std::move(taken);
+    }
+    for (int& mark : few.landmarks)
+        mark = static_cast<int>(number(static_cast<std::size_t>(mark)));
+    for (OutlinePiece& piece : few.pieces) {
+        piece.first = number(piece.first);
+        piece.last = number(piece.last);
+    }
+    return few;
+}
+
 std::optional<Note> sharp_corner(Scene const& scene, CircularSplineOutline const& outline)
 {
     Scene const wired = judged(scene);
     WireRequest const& wire = *wired.wedm;
     if (wire.wire_diameter + 2 * wire.spark_gap >= std::numbers::pi * scene.drive.module)
         return std::nullopt;  // enters no space
-    WireJob const job(wired, wire_faces(outline, scene.drive.circular_spline_teeth, thickness_of(wired)));
-    if (fits_well(job))
+    auto const job_of = [&](CircularSplineOutline const& ring) {
+        return WireJob(wired, wire_faces(ring, scene.drive.circular_spline_teeth, thickness_of(wired)));
+    };
+    if (fits_well(job_of(with_fewer_points(outline, wire.tolerance))))
         return std::nullopt;
+    WireJob const job = job_of(outline);
     PitchPass const pass = pitch_pass(job, wire.wire_diameter, 0);
     Residual const* const worst = pass.uncut.highest();
     if (worst == nullptr)
