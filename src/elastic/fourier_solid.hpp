@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "section_mesh.hpp"
+#include "section_point.hpp"
 
 namespace hdconj::elastic {
 

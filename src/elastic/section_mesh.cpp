@@ -1,18 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "section_mesh.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
 #include <utility>
 
-#include "section_checks.hpp"
-
 namespace hdconj::elastic {
 namespace {
 
-constexpr double slack = 0.01;  // of an element, before there is one more
+void require(bool good, char const* what, char const* cause)
+{
+    if (!good)
+        throw NumericalError(ErrorCode::unsuitable_body, "elastic cup", what, cause);
+}
+
+void require_sound(Elasticity const& material, MeshSize const& size)
+{
+    require(material.youngs_modulus > 0 && std::isfinite(material.youngs_modulus), "Young's modulus",
+            "must be positive and finite");
+    require(material.poissons_ratio >= 0 && material.poissons_ratio < 0.5, "Poisson's ratio",
+            "must be from 0 to below 0.5: at 0.5 the material keeps its volume, which these elements cannot express");
+    require(size.along > 0 && size.across > 0, "mesh", "element sizes must be positive");
+}
+
+/// Elements over a @p length, none longer than @p longest, but for a little.
+/// @param too_many  what is said of more than @p most
+int elements_over(double length, double longest, int most, char const* too_many)
+{
+    constexpr double slack = 0.01;  // of an element, before there is one more
+    double const wanted = std::ceil(length / longest - slack);
+    require(wanted <= most, "mesh", too_many);
+    return std::max(1, static_cast<int>(wanted));
+}
 
 /// A line across the wall.
 struct Across
@@ -28,34 +51,30 @@ struct SectionRows
     int straight = 0;  ///< SectionMesh::straight
 };
 
-/// Adds a part of the section: rows no longer than @p longest [mm], but for the slack.
+/// Adds a part of the section: rows no longer than @p longest [mm].
 /// @param length  of the part [mm]; nothing is added where it is not above 0
 /// @param at      line at s in [0, 1] along the part
 void add_part(SectionRows& rows, double length, double longest, std::function<Across(double)> const& at)
 {
-    constexpr double most = 10000;
     if (length <= 0)
         return;
-    double const wanted = std::ceil(length / longest - slack);
-    require(wanted <= most, "mesh",
-            "more than 10000 elements along one part of the section: the mesh is too fine for its length");
-    int const count = std::max(1, static_cast<int>(wanted));
+    int const count =
+        elements_over(length, longest, 10000,
+                      "more than 10000 elements along one part of the section: the mesh is too fine for its length");
     if (rows.lines.empty())
         rows.lines.push_back(at(0));
     for (int i = 1; i <= 2 * count; ++i)
         rows.lines.push_back(at(i / (2.0 * count)));
 }
 
-/// Elements across a wall, no thicker than @p thickest [mm], but for the slack.
+/// Elements across a wall, no thicker than @p thickest [mm].
 int layers_across(double wall, double thickest)
 {
-    constexpr double most = 200;
-    double const wanted = std::ceil(wall / thickest - slack);
-    require(wanted <= most, "mesh", "more than 200 elements across the wall: the mesh is too fine for its thickness");
-    return std::max(1, static_cast<int>(wanted));
+    return elements_over(wall, thickest, 200,
+                         "more than 200 elements across the wall: the mesh is too fine for its thickness");
 }
 
-/// Elements between the lines, no thicker than @p thickest [mm], but for the slack.
+/// Elements between the lines, no thicker than @p thickest [mm].
 SectionMesh mesh_of(SectionRows const& rows, Elasticity const& material, double thickest)
 {
     double wall = 0;
@@ -83,10 +102,9 @@ SectionMesh mesh_of(SectionRows const& rows, Elasticity const& material, double 
     return mesh;
 }
 
-/// The bottom and the corner between it and the wall.
-void add_bottom(SectionRows& rows, CupSection const& cup, MeshSize const& size)
+/// The bottom and the corner between it and the wall, which begins at the radius @p fillet.
+void add_bottom(SectionRows& rows, CupSection const& cup, double fillet, MeshSize const& size)
 {
-    double const fillet = cup.inner_radius + cup.wall - cup.corner_radius;
     add_part(rows, fillet - cup.clamp_radius, 2 * size.along, [&](double s) {
         double const at = cup.clamp_radius + (fillet - cup.clamp_radius) * s;
         return Across{{at, cup.bottom}, {at, 0}};
@@ -124,10 +142,10 @@ void add_fillet(SectionRows& rows, CupSection const& cup, MeshSize const& size, 
     });
 }
 
-/// The wall from the corner to the open end, with the ring that bears the teeth.
-void add_wall(SectionRows& rows, CupSection const& cup, MeshSize const& size)
+/// The wall from the corner to the open end, with the ring that bears the teeth. Its thickness changes from the height
+/// @p rear to the ring and from there to @p front.
+void add_wall(SectionRows& rows, CupSection const& cup, double rear, double front, MeshSize const& size)
 {
-    double const rear = cup.ring_begin - rear_length(cup), front = cup.ring_end + front_length(cup);
     add_straight(rows, cup, size, {cup.corner_radius, rear}, {cup.wall, cup.wall});
     if (cup.rear_fillet > 0)
         add_fillet(rows, cup, size, rear, cup.rear_fillet, true);
@@ -150,12 +168,11 @@ void add_wall(SectionRows& rows, CupSection const& cup, MeshSize const& size)
 
 SectionMesh section_mesh(CupSection const& cup, MeshSize const& size)
 {
-    require_sound(cup.material);
-    require_sound(size);
-    require_sound(cup);
+    require_sound(cup.material, size);
+    SectionPlaces const at = section_places(cup);
     SectionRows rows;
-    add_bottom(rows, cup, size);
-    add_wall(rows, cup, size);
+    add_bottom(rows, cup, at.fillet, size);
+    add_wall(rows, cup, at.rear, at.front, size);
     SectionMesh mesh = mesh_of(rows, cup.material, size.across);
     int const first_line = 2 * mesh.layers + 1;  // nodes
     for (int i = 0; i < first_line; ++i)
@@ -185,7 +202,9 @@ void add_outer_layer(SectionMesh& mesh, double low, double high, double height, 
         base.push_back(q[5]);
         base.push_back(q[2]);
     }
-    require(!base.empty(), "layer of teeth", "no wall between " + mm(low) + " and " + mm(high) + " to stand on");
+    if (base.empty())
+        throw NumericalError(ErrorCode::unsuitable_body, "elastic cup", "layer of teeth",
+                             fmt::format("no wall between {:g} mm and {:g} mm to stand on", low, high));
     mesh.outer = OuterLayer{mesh.elements.size(), stress};
     int const steps = std::max(1, static_cast<int>(std::ceil(height / thickest - rounding)));
     for (int step = 0; step < steps; ++step) {
@@ -208,8 +227,7 @@ void add_outer_layer(SectionMesh& mesh, double low, double high, double height, 
 
 SectionMesh ring_mesh(Vec2 const& lower, Vec2 const& upper, Elasticity const& material, MeshSize const& size)
 {
-    require_sound(material);
-    require_sound(size);
+    require_sound(material, size);
     require(lower.x() > 0 && upper.x() > lower.x() && upper.y() > lower.y(), "ring",
             "its section is empty or reaches the axis");
     SectionRows rows;
@@ -220,63 +238,9 @@ SectionMesh ring_mesh(Vec2 const& lower, Vec2 const& upper, Elasticity const& ma
     return mesh_of(rows, material, size.across);
 }
 
-std::array<double, 8> shape_functions(double x, double y)
+MeshSize mesh_size(double radius)
 {
-    return {(1 - x) * (1 - y) * (-x - y - 1) / 4,
-            (1 + x) * (1 - y) * (x - y - 1) / 4,
-            (1 + x) * (1 + y) * (x + y - 1) / 4,
-            (1 - x) * (1 + y) * (-x + y - 1) / 4,
-            (1 - x * x) * (1 - y) / 2,
-            (1 + x) * (1 - y * y) / 2,
-            (1 - x * x) * (1 + y) / 2,
-            (1 - x) * (1 - y * y) / 2};
-}
-
-std::array<Vec2, 8> shape_slopes(double x, double y)
-{
-    return {Vec2((1 - y) * (2 * x + y) / 4, (1 - x) * (x + 2 * y) / 4),
-            Vec2((1 - y) * (2 * x - y) / 4, (1 + x) * (2 * y - x) / 4),
-            Vec2((1 + y) * (2 * x + y) / 4, (1 + x) * (x + 2 * y) / 4),
-            Vec2((1 + y) * (2 * x - y) / 4, (1 - x) * (2 * y - x) / 4),
-            Vec2(-x * (1 - y), -(1 - x * x) / 2),
-            Vec2((1 - y * y) / 2, -y * (1 + x)),
-            Vec2(-x * (1 + y), (1 - x * x) / 2),
-            Vec2(-(1 - y * y) / 2, -y * (1 - x))};
-}
-
-Vec2 position(SectionMesh const& mesh, SectionPoint const& point)
-{
-    auto const n = shape_functions(point.xi, point.eta);
-    QuadraticElement const& element = mesh.elements[point.element];
-    Vec2 at = Vec2::Zero();
-    for (std::size_t a = 0; a < n.size(); ++a)
-        at += n[a] * mesh.nodes[static_cast<std::size_t>(element[a])];
-    return at;
-}
-
-SectionPoint wall_point(SectionMesh const& mesh, double z, double depth)
-{
-    require(depth >= 0 && depth <= 1, "place in the wall",
-            "its depth must be from 0 (inner surface) to 1 (outer surface)");
-    auto const layers = static_cast<std::size_t>(mesh.layers);
-    std::size_t const rows = mesh.wall_elements() / layers;
-    auto const height = [&](std::size_t row, int corner) {
-        return mesh.nodes[static_cast<std::size_t>(mesh.elements[row * layers][static_cast<std::size_t>(corner)])].y();
-    };
-    auto const first = static_cast<std::size_t>(mesh.straight);
-    double const low = height(first, 0), high = height(rows - 1, 3);
-    constexpr double rounding = 1e-12;  // of heights that were divided and added up again
-    double const beyond = (high - low) * rounding;
-    require(z >= low - beyond && z <= high + beyond, "z = " + mm(z),
-            "is outside the straight wall, which reaches from " + mm(low) + " to " + mm(high));
-    std::size_t row = first;
-    while (row + 1 < rows && z > height(row, 3))
-        ++row;
-    double const bottom = height(row, 0), top = height(row, 3);
-    double const across = depth * static_cast<double>(layers);
-    std::size_t const layer = std::min(layers - 1, static_cast<std::size_t>(across));
-    return {row * layers + layer, 2 * (across - static_cast<double>(layer)) - 1,
-            std::clamp(2 * (z - bottom) / (top - bottom) - 1, -1.0, 1.0)};
+    return {radius / 48, radius / 24};
 }
 
 MeshSize contact_mesh_size(CupSection const& section, double bearing_width, int across)

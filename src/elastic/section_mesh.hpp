@@ -5,74 +5,12 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "elasticity.hpp"
+#include "cup_section.hpp"
 #include "hdconj/base/vec2.hpp"
-#include "hdconj/error.hpp"
 
 namespace hdconj::elastic {
-
-/// Meridian section of the cup, lengths in mm, z from the outer face of the bottom towards the open end.
-///
-///     z = length      _
-///                    | |   front land, `wall`
-///     ring_end        \ \  ramp on the outside, `front_ramp` long
-///                    |   | tooth ring, `ring_wall` (to the root of the teeth)
-///     ring_begin      / /  ramp on the outside, `rear_ramp` long
-///                    | |   barrel, `wall`
-///     corner_radius  / /   outer fillet of `corner_radius`; the wall changes evenly into the bottom
-///     z = 0   =======      bottom, clamped at `clamp_radius`
-///
-/// The inner surface of barrel, ring and land is one cylinder of `inner_radius`. A fillet of radius R between the walls
-/// t and T is an arc, tangent to the thinner wall, in place of the ramp; it spans sqrt((T - t)(2 R - T + t)). Defaults:
-/// the case that docs/explanation/elastic-cup.md checks against CalculiX.
-struct CupSection
-{
-    double inner_radius = 24;
-    double length = 15;
-    double wall = 0.4;
-    double ring_wall = 0.7;
-    double ring_begin = 5;
-    double ring_end = 13;
-    double rear_ramp = 0.4;
-    double front_ramp = 0.4;
-    double rear_fillet = 0;  ///< radius of the arc behind the ring; 0: a straight ramp
-    double front_fillet = 0;
-    double tooth_layer = 0;    ///< height of the teeth as a layer on the ring (tooth_stress_matrix()); 0: none
-    double tooth_share = 0.5;  ///< of it that is steel
-    double bottom = 0.5;
-    double corner_radius = 2;
-    double clamp_radius = 13;
-    Elasticity material;
-};
-
-/// Parts of the section whose dimensions may contradict each other.
-enum class SectionPart
-{
-    walls,
-    fillet,  ///< at the tooth ring
-    flange,
-    corner,  ///< at the bottom
-    ramps,
-    rear_ramp,
-    front_ramp,
-    tooth_ring,
-    tooth_layer
-};
-
-/// A section that cannot be meshed.
-class UnsoundSection : public NumericalError
-{
-  public:
-    UnsoundSection(SectionPart part, std::string const& cause);
-
-    [[nodiscard]] SectionPart part() const { return part_; }  ///< whose dimensions are wrong
-
-  private:
-    SectionPart part_;
-};
 
 /// Corners anticlockwise in (xi, eta) from (-1, -1), then the middles of the sides from that between corners 0 and 1
 /// on.
@@ -114,10 +52,7 @@ struct MeshSize
 
 /// Standard size for a body whose surface has this radius [mm]: so cups of one form have the same elements whatever
 /// their size. The default section gets 40 elements and 609 unknowns per harmonic.
-[[nodiscard]] inline MeshSize mesh_size(double radius)
-{
-    return {radius / 48, radius / 24};
-}
+[[nodiscard]] MeshSize mesh_size(double radius);
 
 /// Mesh of the cup. @throws NumericalError when the dimensions contradict each other
 [[nodiscard]] SectionMesh section_mesh(CupSection const& cup, MeshSize const& size);
@@ -137,26 +72,6 @@ struct MeshSize
 /// the wall lies between these heights, or the height is not above 0
 void add_outer_layer(SectionMesh& mesh, double low, double high, double height, double thickest,
                      StressMatrix const& stress);
-
-/// Place in a mesh: the point (xi, eta) of an element.
-struct SectionPoint
-{
-    std::size_t element = 0;
-    double xi = 0;
-    double eta = 0;
-};
-
-/// The point of the straight wall at height @p z, @p depth of the wall from the inner surface (0) to the outer one (1).
-/// @throws NumericalError outside the straight wall, or for a depth outside 0 to 1
-[[nodiscard]] SectionPoint wall_point(SectionMesh const& mesh, double z, double depth);
-
-/// Shape functions of the eight nodes.
-[[nodiscard]] std::array<double, 8> shape_functions(double xi, double eta);
-/// Their derivatives: first by xi, second by eta.
-[[nodiscard]] std::array<Vec2, 8> shape_slopes(double xi, double eta);
-
-/// (r, z) of a place.
-[[nodiscard]] Vec2 position(SectionMesh const& mesh, SectionPoint const& point);
 
 /// Size of elements of a cup for @p across circles of contact over a bearing of this width [mm]: two circles never
 /// share all of their nodes. Elements are thinner in the proportion in which they are shorter than standard ones: one
