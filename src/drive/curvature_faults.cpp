@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "curvature_faults.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "base/text.hpp"
-#include "drive.hpp"
 #include "hdconj/units.hpp"
 #include "scene/usual_drive.hpp"
 
@@ -37,19 +38,19 @@ Flattest flattest_place(wavegen::AnyWaveShape const& shape, double r_m)
     return found;
 }
 
-/// The largest radial deformation below the scene's that leaves no hollow, by halving, rounded down to what a user
-/// types; 0 where there is none.
-double largest_deformation(Scene scene, profile::Profile const& tooth, double r_m)
+/// The largest radial deformation below that of @p choice that leaves no hollow, by halving, rounded down to what a
+/// user types; 0 where there is none.
+double largest_deformation(scene::FamilyChoice choice, wavegen::WaveGeneratorPlace const& place)
 {
     constexpr std::string_view key = "radial_deformation";
     constexpr int halvings = 40;
-    double low = 0, high = scene.wave_generator.shape.number(key).value_or(0);
+    double low = 0, high = choice.number(key).value_or(0);
     for (int i = 0; i < halvings; ++i) {
         double const middle = (low + high) / 2;
-        scene.wave_generator.shape.given.find(key)->second.value = middle;
+        choice.given.find(key)->second.value = middle;
         Faults faults;
-        wavegen::AnyWaveShape const shape = wave_shape(scene, tooth, faults);
-        bool const convex = faults.empty() && flattest_place(shape, r_m).bend > 0;
+        wavegen::AnyWaveShape const shape = wavegen::build_wave_shape(choice, place, faults);
+        bool const convex = faults.empty() && flattest_place(shape, place.r_m).bend > 0;
         (convex ? low : high) = middle;
     }
     if (!(low > 0))
@@ -60,21 +61,20 @@ double largest_deformation(Scene scene, profile::Profile const& tooth, double r_
 
 }  // namespace
 
-void validate_curvature(Scene const& scene, profile::Profile const& tooth, wavegen::AnyWaveShape const& shape,
-                        double r_m, Faults& faults)
+void validate_curvature(Scene const& scene, wavegen::AnyWaveShape const& shape, double r_m, Faults& faults)
 {
     Flattest const flattest = flattest_place(shape, r_m);
     if (flattest.bend > 0)
         return;
     scene::FamilyChoice const& choice = scene.wave_generator.shape;
     std::string const reason =
-        "the neutral curve would be hollow at " + short_number(to_deg(flattest.where)) + " degrees from the major axis";
+        fmt::format("the neutral curve would be hollow at {:g} degrees from the major axis", to_deg(flattest.where));
     if (!choice.has("radial_deformation")) {
         faults.push_back({choice.path + ".file", choice.line_of("file"), choice.text_of("file"), reason,
                           "write smaller radial displacements, or smooth them"});
         return;
     }
-    double const largest = largest_deformation(scene, tooth, r_m);
+    double const largest = largest_deformation(choice, {r_m, scene.wave_generator.waves, scene.folder.string()});
     scene::Advice const usual = scene::usual_pair(scene, shape.amplitude());
     faults.push_back({choice.path + ".radial_deformation", choice.line_of("radial_deformation"),
                       choice.text_of("radial_deformation"), reason,

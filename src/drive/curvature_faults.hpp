@@ -3,14 +3,12 @@
 #pragma once
 
 #include "hdconj/error.hpp"
-#include "hdconj/profile/profile.hpp"
 #include "hdconj/scene.hpp"
 #include "hdconj/wavegen/registry.hpp"
 
 namespace hdconj::drive {
 
 /// The deformed neutral curve must be convex: a ring on a wave generator never bends inwards.
-void validate_curvature(Scene const& scene, profile::Profile const& tooth, wavegen::AnyWaveShape const& shape,
-                        double r_m, Faults& faults);
+void validate_curvature(Scene const& scene, wavegen::AnyWaveShape const& shape, double r_m, Faults& faults);
 
 }  // namespace hdconj::drive

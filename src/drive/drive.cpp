@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drive.hpp"
 
-#include "base/text.hpp"
+#include <fmt/format.h>
+
 #include "curvature_faults.hpp"
 #include "elastic_cup.hpp"
 #include "fault_advice.hpp"
 #include "hdconj/check.hpp"
 #include "hdconj/scene/parameter_fault.hpp"
 #include "scene/usual_drive.hpp"
-#include "yielding_faults.hpp"
 
 namespace hdconj::drive {
+
+profile::Profile given_tooth(Scene const& scene, Faults& faults)
+{
+    return tooth_of(scene, scene.is_reverse(), faults);
+}
 
 PairGeometry ring_geometry(Scene const& scene, profile::Profile const& tooth)
 {
@@ -43,6 +48,18 @@ PairGeometry pair_geometry(Scene const& scene, profile::Profile const& tooth, do
     return g;
 }
 
+PairGeometry pair_geometry(Scene const& scene)
+{
+    Faults faults;
+    profile::Profile const tooth = given_tooth(scene, faults);
+    return pair_geometry(scene, tooth, wave_shape(scene, tooth, faults).amplitude());
+}
+
+double given_tooth_seat(PairGeometry const& g, profile::Profile const& tooth)
+{
+    return g.circular_spline_inner_radius + tooth.addendum + tooth.pitch_line;
+}
+
 int pitches_per_lobe(Scene const& scene)
 {
     return (scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth) / scene.wave_generator.waves;
@@ -50,18 +67,24 @@ int pitches_per_lobe(Scene const& scene)
 
 namespace {
 
-/// Tips of the flexspline against the bottom of the given tooth spaces, at the major axis.
-void validate_space_depth(Scene const& scene, profile::Profile const& tooth, PairGeometry const& g, Faults& faults)
+/// Radius of the bottom of the given tooth spaces [mm].
+double given_bottom(PairGeometry const& g, profile::Profile const& tooth)
 {
-    double const bottom = given_tooth_seat(g, tooth) - tooth.pitch_line + tooth.dedendum;
+    return given_tooth_seat(g, tooth) - tooth.pitch_line + tooth.dedendum;
+}
+
+/// Tips of the flexspline against the bottom of the given tooth spaces, at the major axis.
+void validate_space_depth(Scene const& scene, double bottom, PairGeometry const& g, Faults& faults)
+{
     double const pitch_radius = g.r_m + g.w0 + g.pitch_line;
     if (!(pitch_radius + g.addendum < bottom))
-        faults.push_back({"flexspline.addendum", 0, short_number(g.addendum),
-                          "the flexspline's tips at " + short_number(pitch_radius + g.addendum) +
-                              " mm would cut into the bottom of the given tooth spaces, at a radius of " +
-                              short_number(bottom) + " mm",
-                          "write less than " + short_number(bottom - pitch_radius) + ", or " +
-                              scene::with_height(*scene.circular_spline.profile, "larger", "dedendum")});
+        faults.push_back(
+            {"flexspline.addendum", 0, fmt::format("{:g}", g.addendum),
+             fmt::format("the flexspline's tips at {:g} mm would cut into the bottom of the given tooth spaces, at a "
+                         "radius of {:g} mm",
+                         pitch_radius + g.addendum, bottom),
+             fmt::format("write less than {:g}, or {}", bottom - pitch_radius,
+                         scene::with_height(*scene.circular_spline.profile, "larger", "dedendum"))});
 }
 
 void validate_tip_circle(Scene const& scene, PairGeometry const& g, Faults& faults)
@@ -70,31 +93,34 @@ void validate_tip_circle(Scene const& scene, PairGeometry const& g, Faults& faul
     double const rim = g.r_m + g.w0 + g.pitch_line - g.dedendum;
     double const radius = g.circular_spline_inner_radius;
     bool const given = scene.circular_spline.inner_radius.has_value();
+    auto const cut_into_rim = [&](char const* whose) {
+        return fmt::format(
+            "the {} at {:g} mm would cut into the flexspline's rim, which reaches {:g} mm at the major axis", whose,
+            radius, rim);
+    };
     if (scene.is_reverse() && !given && !(radius > rim)) {
-        faults.push_back({"flexspline.dedendum", 0, short_number(g.dedendum),
-                          "the tips of the given circular-spline teeth at " + short_number(radius) +
-                              " mm would cut into the flexspline's rim, which reaches " + short_number(rim) +
-                              " mm at the major axis",
-                          "write more than " + short_number(g.dedendum + rim - radius) + ", or " +
-                              scene::with_height(*scene.circular_spline.profile, "smaller", "addendum")});
+        faults.push_back({"flexspline.dedendum", 0, fmt::format("{:g}", g.dedendum),
+                          cut_into_rim("tips of the given circular-spline teeth"),
+                          fmt::format("write more than {:g}, or {}", g.dedendum + rim - radius,
+                                      scene::with_height(*scene.circular_spline.profile, "smaller", "addendum"))});
         return;
     }
     if (radius > rim && radius < tip)
         return;
     int const digits = tip > 1000 * (tip - rim) ? 12 : 6;  // six do not tell tip and rim apart
-    Fault fault{"circular_spline.inner_radius", 0, given ? short_number(*scene.circular_spline.inner_radius) : "",
+    Fault fault{"circular_spline.inner_radius", 0, given ? fmt::format("{:g}", radius) : "",
                 radius < tip
-                    ? "the circular spline's tips at " + short_number(radius) +
-                          " mm would cut into the flexspline's rim, which reaches " + short_number(rim) +
-                          " mm at the major axis"
-                    : "the flexspline's tips reach a radius of " + short_number(tip) +
-                          " mm only, so no tooth enters the circular spline at " + short_number(radius) + " mm",
-                "write a radius between " + short_number(rim, digits) + " and " + short_number(tip, digits)};
+                    ? cut_into_rim("circular spline's tips")
+                    : fmt::format("the flexspline's tips reach a radius of {:g} mm only, so no tooth enters the "
+                                  "circular spline at {:g} mm",
+                                  tip, radius),
+                fmt::format("write a radius between {:.{}g} and {:.{}g}", rim, digits, tip, digits)};
     double const usual = scene::usual_tip_radius(scene, g.w0).value_or(tip - 2 * g.addendum);
     if (usual > rim && usual < tip) {
-        fault.remedy += ", usually " + short_number(usual, digits);
+        std::string const text = fmt::format("{:.{}g}", usual, digits);
+        fault.remedy += ", usually " + text;
         if (!scene.is_reverse())
-            fault.set = {"circular_spline.inner_radius=" + short_number(usual, digits)};
+            fault.set = {"circular_spline.inner_radius=" + text};
     }
     faults.push_back(fault);
 }
@@ -103,39 +129,40 @@ void validate_tip_relief(Scene const& scene, profile::Profile const& tooth, Faul
 {
     double const from = scene.tip_relief->from_height;
     if (!scene.is_reverse() && !(from < tooth.addendum && from >= -tooth.dedendum))
-        faults.push_back({"tip_relief.from_height", scene.tip_relief->line, short_number(from),
-                          "no height of the tooth, which reaches from " + short_number(-tooth.dedendum) + " to " +
-                              short_number(tooth.addendum) + " mm above its pitch line",
-                          "write a height below the tip, such as " + short_number(tooth.addendum / 2)});
+        faults.push_back({"tip_relief.from_height", scene.tip_relief->line, fmt::format("{:g}", from),
+                          fmt::format("no height of the tooth, which reaches from {:g} to {:g} mm above its pitch line",
+                                      -tooth.dedendum, tooth.addendum),
+                          fmt::format("write a height below the tip, such as {:g}", tooth.addendum / 2)});
 }
 
 /// What only the assembled dimensions show: tooth against pitch, tips of either member against roots of the other.
 void validate_geometry(Scene const& scene, profile::Profile const& tooth, PairGeometry const& g, Faults& faults)
 {
     if (!(g.flexspline_inner_radius > 0))
-        faults.push_back({"flexspline.wall", 0, short_number(scene.flexspline.wall),
-                          "wall and dedendum leave no hole: the inner radius would be " +
-                              short_number(g.flexspline_inner_radius) + " mm",
+        faults.push_back({"flexspline.wall", 0, fmt::format("{:g}", scene.flexspline.wall),
+                          fmt::format("wall and dedendum leave no hole: the inner radius would be {:g} mm",
+                                      g.flexspline_inner_radius),
                           "write a thinner wall, or more teeth or a larger module"});
     else {
         Faults deformed;  // may follow from the radial deformation
         scene::FamilyChoice const& shape = scene.wave_generator.shape;
-        std::string const usual = short_number(scene::usual_deformation(scene.drive));
+        double const usual = scene::usual_deformation(scene.drive);
         if (!(g.r_m > g.w0) && shape.has("file")) {
             deformed.push_back(scene::parameter_fault(
                 shape, "file",
-                "the radial displacement of " + short_number(g.w0) + " mm is not smaller than the neutral radius " +
-                    short_number(g.r_m) + " mm; usual is " + usual + ", m (z_c - z_f)/2",
+                fmt::format("the radial displacement of {:g} mm is not smaller than the neutral radius {:g} mm; usual "
+                            "is {:g}, m (z_c - z_f)/2",
+                            g.w0, g.r_m, usual),
                 "name the unit in the heading of the second column, such as angle [deg],w [um]"));
         } else if (!(g.r_m > g.w0)) {
-            deformed.push_back({shape.path + ".radial_deformation", 0, short_number(g.w0),
-                                "is not smaller than the neutral radius " + short_number(g.r_m) + " mm",
-                                "write " + usual + ", m (z_c - z_f)/2"});
+            deformed.push_back({shape.path + ".radial_deformation", 0, fmt::format("{:g}", g.w0),
+                                fmt::format("is not smaller than the neutral radius {:g} mm", g.r_m),
+                                fmt::format("write {:g}, m (z_c - z_f)/2", usual)});
         } else {
             validate_tip_circle(scene, g, deformed);
             validate_width(scene, tooth, g, scene.is_reverse(), scene.is_reverse() ? deformed : faults);
             if (scene.is_reverse())
-                validate_space_depth(scene, tooth, g, deformed);
+                validate_space_depth(scene, given_bottom(g, tooth), g, deformed);
         }
         say_likely_cause(scene, g.w0, true, deformed);
         faults.insert(faults.begin(), deformed.begin(), deformed.end());
@@ -146,9 +173,39 @@ void validate_geometry(Scene const& scene, profile::Profile const& tooth, PairGe
     for (std::size_t i = 0; i < tooth.pieces.size(); ++i)
         has_tip = has_tip || profile::is_tip(tooth, static_cast<int>(i));
     if (scene.circular_spline.root_clearance > 0 && !scene.is_reverse() && !has_tip)
-        faults.push_back({"circular_spline.root_clearance", 0, short_number(scene.circular_spline.root_clearance),
+        faults.push_back({"circular_spline.root_clearance", 0,
+                          fmt::format("{:g}", scene.circular_spline.root_clearance),
                           "the tooth has no flat or sharp tip whose trace could be moved outward",
                           "leave root_clearance out, or give the tooth a tip land"});
+}
+
+/// The body of the circular spline against its root circle, as far as this is known before anything is solved.
+void validate_body(Scene const& scene, profile::Profile const& tooth, PairGeometry const& g, Faults& faults)
+{
+    constexpr double usual = 1.4;  // of the root circle, as of the drive of the thesis
+    CircularSpline const& spline = scene.circular_spline;
+    double const root = scene.is_reverse()
+                            ? given_bottom(g, tooth)
+                            : g.r_m + g.w0 + g.pitch_line + g.addendum + spline.root_clearance + spline.backlash_offset;
+    if (scene.compliance && scene.compliance->outer_radius && !(*scene.compliance->outer_radius > root))
+        faults.push_back(
+            {"compliance.outer_radius", 0, fmt::format("{:g}", *scene.compliance->outer_radius),
+             fmt::format("the circular spline has its root circle at {:g} mm: nothing is left of its body", root),
+             fmt::format("write the radius at which it is held, such as {:g}", std::round(usual * root))});
+}
+
+/// Neighbouring balls touch where the chord between their centres is as long as they are thick.
+void validate_balls(BearingChoice const& bearing, double inner_radius, Faults& faults)
+{
+    if (!bearing.ball_diameter || !bearing.balls || !bearing.ring_thickness)
+        return;
+    double const raceway = inner_radius - *bearing.ring_thickness, half = std::sin(std::numbers::pi / *bearing.balls);
+    double const largest = 2 * raceway * half / (1 + half);
+    if (raceway > 0 && !(*bearing.ball_diameter < largest))
+        faults.push_back(
+            {"bearing.ball_diameter", 0, fmt::format("{:g}", *bearing.ball_diameter),
+             fmt::format("{} balls of this size do not fit in a ring of {:g} mm inner radius", *bearing.balls, raceway),
+             fmt::format("write less than {:.3g}, or fewer balls", largest)});
 }
 
 /// Motion model against wave generator: "material" needs a shape that a Fourier series follows.
@@ -179,17 +236,20 @@ Faults check_scene(Scene const& scene)
             drive::say_likely_cause(scene, w0, false, faults);
         return faults;
     }
+    PairGeometry const g = drive::pair_geometry(scene, tooth, shape.amplitude());
     // without it there is no place to check the bearing at, and that it is missing is said elsewhere
     bool const placed = scene.coning && scene.coning->bottom_to_middle;
     if (scene.is_elastic() && placed)
-        drive::validate_cup(scene, drive::ring_geometry(scene, tooth).flexspline_inner_radius, faults);
+        drive::validate_cup(scene, g.flexspline_inner_radius, faults);
     else if (!scene.is_elastic())
         drive::validate_kinematics(scene, shape, faults);
-    drive::validate_curvature(scene, tooth, shape, drive::ring_geometry(scene, tooth).r_m, faults);
-    if (faults.empty()) {
-        drive::validate_geometry(scene, tooth, drive::pair_geometry(scene, tooth, shape.amplitude()), faults);
-        drive::validate_yielding(scene, tooth, drive::pair_geometry(scene, tooth, shape.amplitude()), faults);
-    }
+    drive::validate_curvature(scene, shape, g.r_m, faults);
+    if (!faults.empty())
+        return faults;
+    drive::validate_geometry(scene, tooth, g, faults);
+    drive::validate_body(scene, tooth, g, faults);
+    if (scene.bearing)
+        drive::validate_balls(*scene.bearing, g.flexspline_inner_radius, faults);
     return faults;
 }
 

@@ -17,10 +17,7 @@ namespace hdconj::drive {
 [[nodiscard]] profile::Profile tooth_of(Scene const& scene, bool outside, Faults& faults);
 
 /// The tooth that the scene gives, in its own frame, or faults; the flexspline's where both are given.
-[[nodiscard]] inline profile::Profile given_tooth(Scene const& scene, Faults& faults)
-{
-    return tooth_of(scene, scene.is_reverse(), faults);
-}
+[[nodiscard]] profile::Profile given_tooth(Scene const& scene, Faults& faults);
 
 /// Radii of the flexspline's ring that follow from scene and given tooth: inner radius m z_f/2 - h_f - delta unless
 /// given, r_m = inner radius + delta/2 - neutral_offset (design 3.1).
@@ -30,15 +27,14 @@ namespace hdconj::drive {
 /// tooth unless given (design 3.1, 5.1). In the reverse problem this puts the pitch line of the circular spline's tooth
 /// where that of the flexspline's is at the major axis.
 [[nodiscard]] PairGeometry pair_geometry(Scene const& scene, profile::Profile const& tooth, double amplitude);
+/// The same of a scene without faults.
+[[nodiscard]] PairGeometry pair_geometry(Scene const& scene);
 
 /// Wave generator's shape on the ring of @p tooth, or faults.
 [[nodiscard]] wavegen::AnyWaveShape wave_shape(Scene const& scene, profile::Profile const& tooth, Faults& faults);
 
 /// Radius of the origin of the frame of a given circular-spline tooth: the frame's y runs inward.
-[[nodiscard]] inline double given_tooth_seat(PairGeometry const& g, profile::Profile const& tooth)
-{
-    return g.circular_spline_inner_radius + tooth.addendum + tooth.pitch_line;
-}
+[[nodiscard]] double given_tooth_seat(PairGeometry const& g, profile::Profile const& tooth);
 
 /// Frame of the circular spline's tooth next to the space on +y, clockwise: y from the pitch line of the flexspline at
 /// the major axis towards the axis.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "elastic_cup.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -94,8 +96,8 @@ void validate_cup(Scene const& scene, double inner_radius, Faults& faults)
         faults.push_back({"flexspline.cup", scene.flexspline.cup->line, "", error.what(), remedy_of(part), origin});
     };
     try {
-        (void)elastic::section_mesh(section,
-                                    elastic::contact_mesh_size(section, bearing.width, scene.bearing->circles));
+        elastic::MeshSize const size = elastic::contact_mesh_size(section, bearing.width, scene.bearing->circles);
+        (void)elastic::section_mesh(section, size);
     } catch (elastic::UnsoundSection const& error) {
         return refuse(error, error.part());
     } catch (NumericalError const& error) {
@@ -111,23 +113,23 @@ void validate_cup(Scene const& scene, double inner_radius, Faults& faults)
         bearing.middle + bearing.width / 2 > section.length) {
         double const most = 2 * std::min(bearing.middle - section.corner_radius, section.length - bearing.middle);
         at("bearing.width",
-           "the bearing would reach beyond the straight wall, from " + short_number(section.corner_radius) + " to " +
-               short_number(section.length) + " mm above the bottom: its middle is at " + short_number(bearing.middle) +
-               " mm",
+           fmt::format("the bearing would reach beyond the straight wall, from {:g} to {:g} mm above the bottom: its "
+                       "middle is at {:g} mm",
+                       section.corner_radius, section.length, bearing.middle),
            "write " + (most > 0 ? "a bearing.width of at most " + at_most_text(most) + ", or " : std::string()) +
                (scene.given.contains("coning.bottom_to_middle") ? "another coning.bottom_to_middle"
                                                                 : "a longer flexspline.cup.length"));
     }
     if (bearing.ring && bearing.ring->thickness >= inner_radius)
-        at("bearing.ring_thickness", "the cup's inner radius is " + short_number(inner_radius) + " mm",
+        at("bearing.ring_thickness", fmt::format("the cup's inner radius is {:g} mm", inner_radius),
            "write a small part of that, such as " + scene::length_text(scene::UsualCup(scene).ring_thickness));
     double const half = scene.circular_spline.width.value_or(0) / 2;
     bool const spread = scene.slices && scene.slices->count > 1;
     if (spread && (bearing.middle - half < section.ring_begin || bearing.middle + half > section.ring_end))
         at("circular_spline.width",
-           "the circular spline would reach beyond the flexspline's teeth, which stand from " +
-               short_number(section.ring_begin - bearing.middle) + " to " +
-               short_number(section.ring_end - bearing.middle) + " mm",
+           fmt::format(
+               "the circular spline would reach beyond the flexspline's teeth, which stand from {:g} to {:g} mm",
+               section.ring_begin - bearing.middle, section.ring_end - bearing.middle),
            "write a smaller width, or another flexspline.cup.tooth_width");
 }
 
