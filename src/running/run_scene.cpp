@@ -114,10 +114,8 @@ RunTask run_task(Scene const& scene, RunOptions const& options)
 Scene checked_run_scene(Scene const& scene, RunOptions const& options)
 {
     throw_if_any(check_run(scene, options));
-    if (largest_torque(scene, options) > 0)
-        return load::checked_scene(scene, load_options(scene, options));
     throw_if_any(check_scene(scene));
-    return scene;
+    return largest_torque(scene, options) > 0 ? loaded_scene(scene, load_options(scene, options)) : scene;
 }
 
 }  // namespace running

@@ -119,7 +119,7 @@ LoadModel load_model(contact::ContactContext const& context, LoadGrid const& res
     Scene const& scene = context.scene;
     RingGrid const around = ring_grid(scene);
     int const sectors = around.sectors, grid = around.angles();
-    int const highest = highest_harmonic(resolution.harmonics, around);
+    int const highest = around.highest_harmonic(resolution.harmonics);
 
     elastic::CupSection const section = drive::cup_section(scene, context.geometry.flexspline_inner_radius);
     PlacedBearing const placed = placed_bearing(context, resolution.circles, around);
@@ -177,7 +177,7 @@ ElasticDrive drive_at(LoadModel const& model, contact::ContactContext const& con
     drive.outer_ring.reset();
     drive.balls.reset();
     drive.between_balls.reset();
-    int const highest = highest_harmonic(resolution.harmonics, around);
+    int const highest = around.highest_harmonic(resolution.harmonics);
     add_wave_generator(drive, placed_bearing(context, resolution.circles, around), context, around, highest);
     if (drive.between_balls)
         drive.bearing_compliance = bearing_compliance(drive, context.threads);

@@ -143,15 +143,10 @@ std::vector<int> bearing_steps(RingGrid const& around, int highest)
     return steps;
 }
 
-int highest_harmonic(int asked, RingGrid const& around)
-{
-    return std::min(asked, around.highest_harmonic()) / around.sectors * around.sectors;
-}
-
 PlacedBearing placed_bearing(contact::ContactContext const& context, int circles, RingGrid const& around)
 {
     Scene const& scene = context.scene;
-    int const highest = highest_harmonic(scene.load.value_or(LoadRequest()).harmonics, around);
+    int const highest = around.highest_harmonic(scene.load.value_or(LoadRequest()).harmonics);
     double const contacts = around.sectors * static_cast<double>(bearing_steps(around, highest).size());
     PlacedBearing result{drive::bearing_of(scene), {}, 2 * std::numbers::pi / contacts, {}, {}};
     BearingChoice const& choice = *scene.bearing;
@@ -196,8 +191,6 @@ RingGrid ring_grid(Scene const& scene)
     constexpr int tries = 4;
     int const teeth = scene.drive.flexspline_teeth;
     int const lobes = std::gcd(teeth, scene.wave_generator.waves);
-    int const repeats = errors_repeat(scene, lobes) ? lobes : 1;
-    int const sectors = scene.bearing && scene.bearing->balls ? std::gcd(repeats, *scene.bearing->balls) : repeats;
     int const per_lobe = teeth / lobes, fewest = (fewest_angles + per_lobe - 1) / per_lobe;
     int const contacts = std::min(most_angles, 2 * (LoadRequest().harmonics / lobes));
     int steps = fewest, best = equal_parts(per_lobe * fewest, contacts);
@@ -206,6 +199,8 @@ RingGrid ring_grid(Scene const& scene)
             best = parts;
             steps = more;
         }
+    int const repeats = errors_repeat(scene, lobes) ? lobes : 1;
+    int const sectors = scene.bearing && scene.bearing->balls ? std::gcd(repeats, *scene.bearing->balls) : repeats;
     return {lobes, sectors, teeth / sectors, steps};
 }
 

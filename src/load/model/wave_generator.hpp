@@ -2,6 +2,7 @@
 // The wave generator of an elastic drive.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -25,6 +26,11 @@ struct RingGrid
     [[nodiscard]] int angles() const { return per_sector * steps; }
     /// The highest harmonic that these angles resolve.
     [[nodiscard]] int highest_harmonic() const { return angles() * sectors / 2; }
+    /// Of the harmonics up to @p asked the highest one that the ring has.
+    [[nodiscard]] int highest_harmonic(int asked) const
+    {
+        return std::min(asked, highest_harmonic()) / sectors * sectors;
+    }
 };
 
 /// The angles of the teeth, or a few times as many: with those of some that let most contacts of the bearing be even.
@@ -34,9 +40,6 @@ struct RingGrid
 /// @p highest resolve part a lobe evenly, else as even as the angles allow. Steps of the grid. They are their own
 /// mirror image, so that a mirrored drive has the mirrored balance.
 [[nodiscard]] std::vector<int> bearing_steps(RingGrid const& around, int highest);
-
-/// Of the harmonics up to @p asked the highest one that the ring has.
-[[nodiscard]] int highest_harmonic(int asked, RingGrid const& around);
 
 /// The scene's bearing with the places where it presses on the cup.
 struct PlacedBearing

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "base/option_faults.hpp"
-#include "base/text.hpp"
 #include "drive/drive.hpp"
 #include "drive/elastic_cup.hpp"
 #include "hdconj/check.hpp"
@@ -35,7 +34,8 @@ void require_cup_and_bearing(Scene const& scene, Faults& faults)
 
 void refuse_torque(double torque_nm, std::string reason, Faults& faults)
 {
-    faults.push_back({"--torque", 0, short_number(torque_nm), std::move(reason), "write a torque in N m such as 28"});
+    faults.push_back(
+        {"--torque", 0, fmt::format("{:g}", torque_nm), std::move(reason), "write a torque in N m such as 28"});
 }
 
 void require_torque(Scene const& scene, LoadOptions const& options, Faults& faults)
@@ -51,8 +51,7 @@ void require_torque(Scene const& scene, LoadOptions const& options, Faults& faul
     if (!std::isfinite(given))
         refuse_torque(given, "not a finite number", faults);
     else if (std::abs(given) > scene::bounds::largest_torque)
-        refuse_torque(given, "larger than any drive has, " + short_number(scene::bounds::largest_torque) + " N m",
-                      faults);
+        refuse_torque(given, fmt::format("larger than any drive has, {:g} N m", scene::bounds::largest_torque), faults);
 }
 
 /// Where the scene gives @p key; the file is empty for the scene's own.
@@ -63,24 +62,11 @@ std::pair<int, std::string> place_of(Scene const& scene, std::string const& key)
     return {line, line > 0 ? "" : "--set"};
 }
 
-/// @param highest  harmonic that the angles of the teeth resolve
-void validate_harmonics(Scene const& scene, int highest, Faults& faults)
-{
-    if (scene.load->harmonics <= highest)
-        return;
-    auto const [line, file] = place_of(scene, "load.harmonics");
-    faults.push_back({"load.harmonics", line, fmt::format("{}", scene.load->harmonics),
-                      "more than the angles of the teeth tell apart", fmt::format("write at most {}", highest), file});
-}
-
 /// Rigid balls hold the outer ring at as many points: no more than its harmonics have coefficients.
-void validate_balls(Scene const& scene, Faults& faults)
+void validate_balls(Scene const& scene, load::RingGrid const& around, Faults& faults)
 {
-    if (!scene.bearing || !scene.bearing->balls || scene.bearing->radial_stiffness)
-        return;
-    load::RingGrid const around = load::ring_grid(scene);
     int const balls = *scene.bearing->balls, sectors = around.sectors;
-    int const most = 2 * load::highest_harmonic(scene.load.value_or(LoadRequest()).harmonics, around) + sectors;
+    int const most = 2 * around.highest_harmonic(scene.load.value_or(LoadRequest()).harmonics) + sectors;
     if (balls <= most)
         return;
     int const enough = balls / sectors / 2 * sectors;
@@ -93,6 +79,25 @@ void validate_balls(Scene const& scene, Faults& faults)
          file});
 }
 
+/// The angles of the teeth against the harmonics asked for, and against rigid balls.
+void validate_ring(Scene const& scene, Faults& faults)
+{
+    bool const harmonics = scene.load && scene.given.contains("load.harmonics");
+    bool const rigid_balls = scene.bearing && scene.bearing->balls && !scene.bearing->radial_stiffness;
+    if (!harmonics && !rigid_balls)
+        return;
+    load::RingGrid const around = load::ring_grid(scene);
+    int const highest = around.highest_harmonic();
+    if (harmonics && scene.load->harmonics > highest) {
+        auto const [line, file] = place_of(scene, "load.harmonics");
+        faults.push_back({"load.harmonics", line, fmt::format("{}", scene.load->harmonics),
+                          "more than the angles of the teeth tell apart", fmt::format("write at most {}", highest),
+                          file});
+    }
+    if (rigid_balls)
+        validate_balls(scene, around, faults);
+}
+
 /// Stiffnesses between torques need these in order; where both are given: scene/axial_faults.cpp.
 void validate_catalogue(Scene const& scene, LoadOptions const& options, Faults& faults)
 {
@@ -100,11 +105,11 @@ void validate_catalogue(Scene const& scene, LoadOptions const& options, Faults& 
         return;
     double const rated = load::rated_torque(scene, options);
     auto const [first, second, lost_motion] = load::catalogue_torques(scene, rated);
-    auto const in_nm = [](double torque) { return short_number(torque / newton_metre) + " N m"; };
-    auto const fault = [&](char const* key, double value, std::string const& reason, char const* side, double limit) {
+    auto const fault = [&](char const* key, double value, char const* reason, char const* side, double limit) {
         auto const [line, file] = place_of(scene, key);
-        faults.push_back({key, line, short_number(value / newton_metre), reason + ", " + in_nm(limit),
-                          fmt::format("write one {} {}", side, in_nm(limit)), file});
+        faults.push_back({key, line, fmt::format("{:g}", value / newton_metre),
+                          fmt::format("{}, {:g} N m", reason, limit / newton_metre),
+                          fmt::format("write one {} {:g} N m", side, limit / newton_metre), file});
     };
     if (scene.load->first_torque && !(first < second))
         fault("load.first_torque", first, "T1 is not below the usual T2", "below", second);
@@ -114,19 +119,27 @@ void validate_catalogue(Scene const& scene, LoadOptions const& options, Faults& 
         fault("load.second_torque", second, "T2 is not below the rated torque", "below", std::abs(rated));
 }
 
-/// Faults that only the completed scene has: under load the cup bends, whatever its outlines follow. What is wrong
-/// with the scene itself, check_scene() says.
-void validate_completed(Scene const& asked, LoadOptions const& options, Faults& faults)
+/// Scene and options against each other, but for the cup.
+Faults request_faults(Scene const& scene, LoadOptions const& options)
 {
-    if (!asked.flexspline.cup || !asked.bearing || !check_scene(asked).empty())
-        return;
-    Scene const scene = loaded_scene(asked, options);
-    Faults completed = check_scene(scene);
-    if (completed.empty() && !scene.is_elastic() && scene.coning->bottom_to_middle)
-        drive::validate_cup(scene,
-                            drive::ring_geometry(scene, drive::given_tooth(scene, completed)).flexspline_inner_radius,
-                            completed);
-    std::ranges::move(completed, std::back_inserter(faults));
+    Faults faults = check_contact(scene, load::contact_options(options));
+    require_cup_and_bearing(scene, faults);
+    std::size_t const before = faults.size();
+    require_torque(scene, options, faults);
+    if (faults.size() == before)
+        validate_catalogue(scene, options, faults);
+    validate_ring(scene, faults);
+    require_whole(faults, "--points", options.points, 1, scene::bounds::most_torques,
+                  "one such as 10, or leave it out for as many as the stiffness needs");
+    return faults;
+}
+
+/// Under load the cup bends, whatever its outlines follow.
+/// @param scene  as loaded_scene() completes one in which check_scene() finds no fault
+void validate_bent_cup(Scene const& scene, Faults& faults)
+{
+    if (scene.flexspline.cup && scene.bearing && scene.coning->bottom_to_middle)
+        drive::validate_cup(scene, drive::pair_geometry(scene).flexspline_inner_radius, faults);
 }
 
 }  // namespace
@@ -135,18 +148,9 @@ namespace load {
 
 Faults check_either_sense(Scene const& scene, LoadOptions const& options)
 {
-    Faults faults = check_contact(scene, load::contact_options(options));
-    require_cup_and_bearing(scene, faults);
-    std::size_t const before = faults.size();
-    require_torque(scene, options, faults);
-    if (faults.size() == before)
-        validate_catalogue(scene, options, faults);
-    if (scene.load && scene.given.contains("load.harmonics"))
-        validate_harmonics(scene, load::ring_grid(scene).highest_harmonic(), faults);
-    validate_balls(scene, faults);
-    require_whole(faults, "--points", options.points, 1, scene::bounds::most_torques,
-                  "one such as 10, or leave it out for as many as the stiffness needs");
-    validate_completed(scene, options, faults);
+    Faults faults = request_faults(scene, options);
+    if (scene.flexspline.cup && scene.bearing && check_scene(scene).empty())
+        validate_bent_cup(loaded_scene(scene, options), faults);
     return faults;
 }
 
@@ -157,7 +161,7 @@ Faults check_load(Scene const& scene, LoadOptions const& options)
     Faults faults = load::check_either_sense(scene, options);
     if (options.torque && *options.torque < scene::bounds::least_torque * newton_metre)
         refuse_torque(*options.torque / newton_metre,
-                      "must be at least " + short_number(scene::bounds::least_torque) + " N m", faults);
+                      fmt::format("must be at least {:g} N m", scene::bounds::least_torque), faults);
     return faults;
 }
 
@@ -180,18 +184,6 @@ Scene loaded_scene(Scene asked, LoadOptions const& options)
 }
 
 namespace load {
-namespace {
-
-/// The tip circle that a scene leaves to the program [mm].
-double standard_tip(Scene const& scene)
-{
-    Faults faults;
-    profile::Profile const tooth = drive::given_tooth(scene, faults);
-    return drive::pair_geometry(scene, tooth, drive::wave_shape(scene, tooth, faults).amplitude())
-        .circular_spline_inner_radius;
-}
-
-}  // namespace
 
 ContactOptions contact_options(LoadOptions const& options)
 {
@@ -200,10 +192,13 @@ ContactOptions contact_options(LoadOptions const& options)
 
 Scene checked_scene(Scene const& asked, LoadOptions const& options)
 {
-    Faults faults = check_either_sense(asked, options);
-    std::ranges::move(check_scene(asked), std::back_inserter(faults));
+    Scene completed = loaded_scene(asked, options);
+    Faults own = check_scene(asked), faults = request_faults(asked, options);
+    if (own.empty())
+        validate_bent_cup(completed, faults);
+    std::ranges::move(own, std::back_inserter(faults));
     throw_if_any(faults);
-    return loaded_scene(asked, options);
+    return completed;
 }
 
 double rated_torque(Scene const& scene, LoadOptions const& options)
@@ -249,7 +244,8 @@ LoadedDriveData contact_data(Scene const& scene, bool errors, StageObserver cons
     for (int i = 0;; ++i) {
         try {
             if (i > 0)
-                widened.circular_spline.inner_radius = standard_tip(widened) + step * scene.drive.module;
+                widened.circular_spline.inner_radius =
+                    drive::pair_geometry(widened).circular_spline_inner_radius + step * scene.drive.module;
             return {std::make_unique<contact::ContactStudyData>(widened, Verb::load, on_stage, std::nullopt, errors),
                     i * step * scene.drive.module};
         } catch (NumericalError const& error) {
