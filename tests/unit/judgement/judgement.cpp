@@ -489,6 +489,35 @@ TEST_CASE("a wire that is too thick is named with the corner and the space", "[j
     }
 }
 
+TEST_CASE("the space that a wire must enter is the narrowest of all slices", "[judgement]")
+{
+    Solution solution = solve(read_scene(HDCONJ_SOURCE_DIR "/data/scenes/type-50-coned.toml"));
+    solution.scene.wedm = WireRequest{};
+    auto const with_slot = [&](double slot) {
+        solution.scene.wedm->wire_diameter = slot;
+        Notes notes = solution.judgement;
+        judgement::judge_narrow_space_again(notes, solution.scene, solution);
+        return note_of(notes, NoteCode::narrow_space);
+    };
+    auto const wide = with_slot(0.6), middle = [&] {
+        Solution one = solution;
+        CircularSplineOutline& ring = one.circular_spline;
+        std::size_t const at = ring.z.size() / 2;
+        ring.outline = {ring.outline[at]};
+        ring.z = {0};
+        Notes notes;
+        judgement::judge_narrow_space_again(notes, one.scene, one);
+        return note_of(notes, NoteCode::narrow_space);
+    }();
+    REQUIRE(wide);
+    REQUIRE(middle);
+    CHECK(wide->figure < 0.99 * middle->figure);
+    CHECK(middle->place == "tooth space");
+    CHECK_THAT(wide->place, ContainsSubstring("tooth space at z = ") && ContainsSubstring(" mm"));
+    CHECK_FALSE(with_slot(0.1));
+    CHECK(with_slot(3));  // the mouth of the space is too narrow already
+}
+
 TEST_CASE("advice is not what the scene has", "[judgement]")
 {
     // of few teeth, 26 degrees are as good as any
