@@ -96,6 +96,17 @@ TEST_CASE("the page of a result file holds the numbers of the page that is compu
         CHECK(here.at("spline") == there.at(is_loaded ? "loaded_spline" : "spline"));
         CHECK((here.at("teeth") == there.at("teeth")) == !is_loaded);
         CHECK_THAT(here.at("origin").get<std::string>(), ContainsSubstring("a.h5") && ContainsSubstring("computed"));
+        // without scripts every figure, all that is noted and what is not there
+        std::string const words = words_of(folder / "read.html");
+        json const& groups = here.at("results").at(each.part).at("groups");
+        json const& group = groups.at(each.part == "solve" ? "summary" : each.part);
+        REQUIRE(group.at("figures").size() > 10);
+        for (json const& figure : group.at("figures"))
+            CHECK_THAT(words, ContainsSubstring('\n' + figure[0].get<std::string>() + ' '));
+        for (json const& note : here.at("judgement"))
+            CHECK_THAT(words, ContainsSubstring(" " + note.at("code").get<std::string>() + " at "));
+        for (json const& part : here.at("left_out"))
+            CHECK_THAT(words, ContainsSubstring("<li>" + part.at("part").get<std::string>() + ": "));
         CHECK(there.at("origin") == "");
     }
 }

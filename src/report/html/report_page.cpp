@@ -219,26 +219,30 @@ std::string script_data(Json const& data)
     return text;
 }
 
+/// A list under a heading; nothing for no lines.
+std::string list_under(std::string const& heading, std::vector<std::string> const& lines)
+{
+    std::string items;
+    for (std::string const& line : lines)
+        items += "<li>" + escaped(line) + "</li>";
+    return lines.empty() ? "" : "<h3>" + heading + "</h3><ul>" + items + "</ul>";
+}
+
 /// What is read where scripts do not run: pictures, the printed summary of each drive, what is noted on it and what the
 /// page does not hold.
 /// @param data  of the drives, as drive_json() makes them
 std::string static_part(Report const& report, Json const& data)
 {
     std::string html;
-    auto const add_text = [&](std::string const& text) {
-        if (!text.empty())
-            html += "<pre>" + escaped(text) + "</pre>";
-    };
     for (std::size_t i = 0; i < report.drives.size(); ++i) {
         Json const& results = data[i].at("results");
         html += "<h2>" + escaped(data[i].at("name")) + "</h2>" + static_picture(report.drives[i]) +
                 "<div class=\"figures\">" + static_gap_maps(results.value("contact", Json::object())) +
-                static_charts(results) + static_wire_path(results.value("wedm", Json::object())) + "</div>";
-        add_text(data[i].at("text"));
+                static_charts(results) + static_wire_path(results.value("wedm", Json::object())) + "</div><pre>" +
+                escaped(data[i].at("text")) + "</pre>";
         if (report.drives[i].stored)  // the printed summaries have it
-            add_text(noted_text(data[i]));
-        if (std::string const missing = left_out_text(data[i]); !missing.empty())
-            add_text("Not in this page\n" + missing);
+            html += list_under("Notes", noted(data[i]));
+        html += list_under("Not in this page", parts_left_out(data[i]));
     }
     for (FailedDrive const& each : report.failed)
         html += "<h2>" + escaped(each.name) + "</h2><pre>" + escaped(each.why) + "</pre>";

@@ -98,24 +98,24 @@ std::string stored_text(Json const& parts)
     return text;
 }
 
-std::string noted_text(Json const& drive)
+std::vector<std::string> noted(Json const& drive)
 {
-    std::string text;
+    std::vector<std::string> lines;
     for (Json const& note : drive.at("judgement"))
-        text += fmt::format("{} {} at {}: {}; {}\n", note.at("severity").get<std::string>(),
-                            note.at("code").get<std::string>(), note.at("place").get<std::string>(),
-                            note.at("cause").get<std::string>(), note.at("advice").get<std::string>());
+        lines.push_back(fmt::format("{} {} at {}: {}; {}", note.at("severity").get<std::string>(),
+                                    note.at("code").get<std::string>(), note.at("place").get<std::string>(),
+                                    note.at("cause").get<std::string>(), note.at("advice").get<std::string>()));
     for (Json const& note : drive.at("notes"))
-        text += note.get<std::string>() + '\n';
-    return text;
+        lines.push_back(note.get<std::string>());
+    return lines;
 }
 
-std::string left_out_text(Json const& drive)
+std::vector<std::string> parts_left_out(Json const& drive)
 {
-    std::string text;
+    std::vector<std::string> lines;
     for (Json const& part : drive.at("left_out"))
-        text += fmt::format("{}: {}\n", part.at("part").get<std::string>(), part.at("why").get<std::string>());
-    return text;
+        lines.push_back(fmt::format("{}: {}", part.at("part").get<std::string>(), part.at("why").get<std::string>()));
+    return lines;
 }
 
 }  // namespace hdconj::report

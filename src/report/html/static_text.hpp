@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "json_group.hpp"
 
@@ -13,12 +14,12 @@ namespace hdconj::report {
 /// @param parts  by the word of ReportPart, as the page has them
 [[nodiscard]] std::string stored_text(Json const& parts);
 
-/// The judgement and the notes on a drive, a line each.
+/// The judgement and the notes on a drive.
 /// @param drive  as the page has it
-[[nodiscard]] std::string noted_text(Json const& drive);
+[[nodiscard]] std::vector<std::string> noted(Json const& drive);
 
-/// What the page of a drive does not hold, a line for each part with its cause; empty where it holds all.
+/// The parts that the page of a drive does not hold, each with its cause.
 /// @param drive  as the page has it
-[[nodiscard]] std::string left_out_text(Json const& drive);
+[[nodiscard]] std::vector<std::string> parts_left_out(Json const& drive);
 
 }  // namespace hdconj::report
