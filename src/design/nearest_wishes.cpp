@@ -99,31 +99,100 @@ Faults nearest_mesh(DesignWishes const& wishes, MeshChoice const& failed)
     return faults;
 }
 
+/// What to write, of @p ways that can be followed: "write a, b or c".
+std::string write_one_of(std::vector<std::string> const& ways)
+{
+    std::string text = "write ";
+    for (std::size_t i = 0; i < ways.size(); ++i)
+        text += (i == 0 ? "" : i + 1 < ways.size() ? ", " : " or ") + ways[i];
+    return text;
+}
+
+/// No wall has a mesh that is clear of the coned cup; that of the best fails for @p reason.
+Fault too_much_cone(DesignWishes const& wishes, std::string const& reason)
+{
+    bool const may_be_longer = wishes.length_ratio < length_ratios.high;
+    std::vector<std::string> ways;
+    if (may_be_longer)
+        ways.emplace_back("a larger one, whose cup cones less");
+    if (wishes.land > 0)
+        ways.emplace_back("a smaller --land");
+    ways.emplace_back("another --family");
+    return {may_be_longer ? "--length-ratio" : "--family", 0,
+            may_be_longer ? short_number(wishes.length_ratio) : wishes.family, reason, write_one_of(ways)};
+}
+
+/// The largest safety of hundredths that the stress @p stress leaves.
+double safety_at(DesignWishes const& wishes, double stress)
+{
+    constexpr double hundredths = 100;
+    return std::floor(hundredths * material_of(wishes).fatigue / stress) / hundredths;
+}
+
+/// Adds what helps a cup that is bent too far without any torque.
+/// @param assembled  stress without torque of the wall that has the least
+/// @param most       stress of the best wall under the torque
+void add_bent(DesignWishes const& wishes, double assembled, double most, std::string const& reason, Faults& faults)
+{
+    std::string const smaller = ", with a smaller --torque";
+    double const safety = std::min(safety_at(wishes, assembled), wishes.safety);
+    if (safety > 1)
+        faults.push_back(
+            {"--safety", 0, short_number(wishes.safety), reason, "write less than " + short_number(safety) + smaller});
+    auto const steel = wishes.fatigue ? std::nullopt : stronger_steel(wishes, wishes.safety * assembled);
+    if (steel && std::ranges::find(faults, "--material", &Fault::path) == faults.end())
+        faults.push_back({"--material", 0, printable(wishes.material), reason, "write " + *steel + smaller});
+    if (safety > 1 || steel)
+        return;
+    if (faults.empty())
+        add_strength(wishes, rounded_up(wishes.safety * most), reason, faults);
+    bool const may_be_longer = wishes.length_ratio < length_ratios.high;
+    faults.push_back({may_be_longer ? "--length-ratio" : "--ratio", 0,
+                      short_number(may_be_longer ? wishes.length_ratio : wishes.ratio), reason,
+                      "write a larger one, which bends the cup less"});
+}
+
+/// What helps where no torque worth naming is stood.
+std::string larger_drive(DesignWishes const& wishes)
+{
+    std::vector<std::string> ways;
+    if (module_of(wishes) * teeth_of(wishes) < diameters.high)
+        ways.emplace_back(!wishes.module    ? "a larger --diameter"
+                          : wishes.diameter ? "a larger --diameter with a larger --module"
+                                            : "a larger --module");
+    if (wishes.ratio < ratios.high)
+        ways.emplace_back("a larger --ratio");
+    return ways.empty() ? "write a smaller one" : write_one_of(ways) + ", which bends the wall less";
+}
+
 Faults nearest_load(DesignWishes const& wishes, MeshedSheet const& failed, WallSearch& search)
 {
-    WallTrial const& last = failed.walls.back();
-    bool const is_bent_too_far = last.assembled > allowed_stress(wishes);  // without torque
-    std::string const reason = "with the best wall, " + short_number(last.wall) + " mm: " + last.refusal +
-                               (is_bent_too_far ? ", without torque already" : "");
+    WallTrial const& best = failed.walls.back();
+    std::string const refusal = "with the best wall, " + short_number(best.wall) + " mm: " + best.refusal;
+    if (best.interferes)
+        return {too_much_cone(wishes, refusal)};
+    bool const is_bent_too_far = best.assembled > allowed_stress(wishes);  // without torque
+    std::string const reason = refusal + (is_bent_too_far ? ", without torque already" : "");
     Faults faults;
-    if (last.interferes)
-        return {{"--length-ratio", 0, short_number(wishes.length_ratio), reason,
-                 "write a larger one, whose cup cones less, a smaller --land or another --family"}};
     if (auto const torque = search.most_torque())
         faults.push_back(fault_of("--torque", short_number(*wishes.torque / newton_metre), reason,
                                   short_number(*torque / newton_metre)));
-    constexpr double hundredths = 100;
-    double const most = std::max(last.assembled, last.loaded);
-    double const safety = std::floor(hundredths * material_of(wishes).fatigue / most) / hundredths;
-    if (most > 0 && safety >= 1 && safety < wishes.safety)
+    double const most = std::max(best.assembled, best.loaded), safety = most > 0 ? safety_at(wishes, most) : 0;
+    if (safety >= 1 && safety < wishes.safety)
         faults.push_back(fault_of("--safety", short_number(wishes.safety), reason, short_number(safety)));
+    bool const has_helped = !faults.empty();
     double const least = rounded_up(wishes.safety * most);
     if (most > 0 && (wishes.fatigue || stronger_steel(wishes, least)))
         add_strength(wishes, least, reason, faults);
+    if (is_bent_too_far && !has_helped) {
+        double assembled = best.assembled;
+        for (WallTrial const& each : failed.walls)
+            if (!each.interferes && each.assembled > 0)
+                assembled = std::min(assembled, each.assembled);
+        add_bent(wishes, assembled, most, reason, faults);
+    }
     if (faults.empty())
-        faults.push_back({"--torque", 0, short_number(*wishes.torque / newton_metre), reason,
-                          is_bent_too_far ? "write a larger --length-ratio or a larger --ratio, which bend the cup less"
-                                          : "write a larger --diameter or a larger --ratio, which bend the wall less"});
+        faults.push_back({"--torque", 0, short_number(*wishes.torque / newton_metre), reason, larger_drive(wishes)});
     return faults;
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <tuple>
 
 #include "base/text.hpp"
 #include "hdconj/contact.hpp"
@@ -19,14 +20,16 @@ namespace {
 constexpr int told_digits = 3;
 constexpr std::array walls_without_torque{0.014, 0.013, 0.012, 0.011, 0.01};  // over the pitch diameter
 
-/// Larger where more stress, or no result, makes the wall a worse one.
-double badness(WallTrial const& trial)
-{
-    double const most = std::max(trial.assembled, trial.loaded);
-    return most > 0 ? most : DesignRange().high;
-}
-
 }  // namespace
+
+bool is_better(WallTrial const& a, WallTrial const& b)
+{
+    auto const badness = [](WallTrial const& trial) {
+        double const most = std::max(trial.assembled, trial.loaded);
+        return std::tuple(most == 0, trial.interferes, most);
+    };
+    return badness(a) < badness(b);
+}
 
 Sheet sheet_of(DesignWishes const& wishes, double wall, ConeNeed const& cone)
 {
@@ -194,7 +197,7 @@ MeshedSheet WallSearch::under_torque(std::optional<double> torque, bool errors)
                 continue;
             WallTrial const& trial = made.walls.back();
             tried.push_back(trial);
-            if (best.walls.empty() || trial.refusal.empty() || badness(trial) < badness(best.walls.back()))
+            if (best.walls.empty() || trial.refusal.empty() || is_better(trial, best.walls.back()))
                 best = made;
             if (trial.refusal.empty())
                 return;
@@ -212,7 +215,7 @@ MeshedSheet WallSearch::under_torque(std::optional<double> torque, bool errors)
 
 std::optional<double> WallSearch::most_torque()
 {
-    double const allowed = allowed_stress(wishes_), diameter = without_torque_->sheet["d_r"];
+    double const allowed = allowed_stress(wishes_), diameter = module_of(wishes_) * teeth_of(wishes_);
     // sixteen times that of type-50 for the same stress: what is far above tells nothing
     double const far = 16 * 28 * newton_metre * std::pow(diameter / 50, 3);
     std::vector<double> walls;

@@ -47,6 +47,9 @@ struct MeshedSheet
 /// @param errors  whether the error of the grid is estimated
 [[nodiscard]] WallTrial stress_of(MeshedSheet const& made, DesignWishes const& wishes, bool errors);
 
+/// Whether @p a is a better wall than @p b: one with a result, whose teeth are clear, with less stress.
+[[nodiscard]] bool is_better(WallTrial const& a, WallTrial const& b);
+
 /// Tries the walls of some wishes under one torque after another. No torque changes the meshes, which are made once.
 class WallSearch
 {
@@ -56,7 +59,7 @@ class WallSearch
 
     /// mesh_with_wall(), and with a torque the first wall with which the stress of study_load() keeps the safety, and
     /// the side clearance and tip circle leave the coned cup clear. Where no wall does, the one with the least stress
-    /// comes last.
+    /// comes last, of those that are clear if any is.
     [[nodiscard]] MeshedSheet under_torque(std::optional<double> torque, bool errors);
 
     /// The largest torque of two digits that a wall stands, after all were refused under the last torque, without

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <variant>
 
@@ -24,7 +25,7 @@ constexpr std::array standard_modules{0.05, 0.055, 0.06, 0.07, 0.08, 0.09,  0.1,
                                       0.8,  0.85,  0.9,  0.95, 1.0,  1.125, 1.25, 1.375, 1.5,  1.75, 2.0,  2.25, 2.5,
                                       2.75, 3.0,   3.5,  4.0,  4.5,  5.0,   5.5,  6.0,   7.0,  8.0,  9.0,  10.0};
 
-constexpr DesignRange diameters{10, 400}, modules{0.05, 10};  // [mm]
+constexpr DesignRange modules{0.05, 10};  // [mm]
 constexpr char rule_of_diameters[] = "the rules hold for pitch diameters from 10 to 400 mm";
 constexpr char rule_of_modules[] = "standard modules run from 0.05 to 10 mm";
 
@@ -181,11 +182,17 @@ class WishFaults
                    "steel has 0.3");
         bool const own = wishes_.fatigue && wishes_.youngs_modulus && wishes_.poissons_ratio;
         if (own && !wishes_.material.empty())
-            return;
+            return control_characters();
         std::size_t const before = faults_.size();
         one_of("--material", wishes_.material, known);
         if (faults_.size() > before)
             faults_.back().remedy += ", or give another steel by --fatigue, --youngs-modulus and --poissons-ratio";
+    }
+    /// The name of a steel of one's own stands in a comment of the scene.
+    void control_characters()
+    {
+        if (std::ranges::any_of(wishes_.material, [](unsigned char c) { return std::iscntrl(c) != 0; }))
+            fault("--material", printable(wishes_.material), "contains control characters", "leave them out");
     }
     void one_of(char const* path, std::string const& word, std::vector<std::string_view> const& words)
     {

@@ -36,6 +36,8 @@ inline constexpr int waves = 2;
 inline constexpr DesignRange length_ratios{0.2, 1};
 /// Fatigue strengths of metals [MPa].
 inline constexpr DesignRange fatigue_strengths{10, 5000};
+/// Pitch diameters for which the rules hold [mm].
+inline constexpr DesignRange diameters{10, 400};
 /// Ratios of one stage.
 inline constexpr DesignRange ratios{30, 320};
 
