@@ -125,6 +125,28 @@ std::string without_mesh(ConeNeed const& cone, MeshChoice const& tried)
            (tried.best ? "another radial deformation is the best, which needs more" : usual_refusal(tried));
 }
 
+/// @p made, clear with what earlier rounds needed, or where that is clear too the mesh with its side clearance alone:
+/// those rounds had other clearances and deformations, whose tip circles this one may not need.
+MeshedSheet without_kept_tip(MeshedSheet made, DesignWishes const& wishes, double wall, bool errors)
+{
+    double const clearance = scene_of(made.rows()).circular_spline.backlash_offset;
+    MeshedSheet free{sheet_of(wishes, wall, {clearance, 0}), {}, {}};
+    free.mesh = search_mesh(free.sheet, wishes, 0);
+    if (!free.mesh.best)
+        return made;
+    MeshTrial const &kept = made.mesh.trials[*made.mesh.best], &other = free.mesh.trials[*free.mesh.best];
+    if (other.ratio == kept.ratio && other.tip_radius == kept.tip_radius)
+        return made;
+    Scene const scene = scene_of(free.rows());
+    double const tip = *scene.circular_spline.inner_radius;
+    ConeNeed const need = cone_need(scene);
+    if (need.clearance > clearance || need.tip_radius > tip)
+        return made;
+    free.walls = {stress_of(free, wishes, errors)};
+    bool const is_clear = free.walls.back().side_clearance <= clearance && free.walls.back().tip_radius <= tip;
+    return is_clear ? free : made;
+}
+
 /// The mesh with @p wall, and its stress, whose side clearance and tip circle leave the coned cup clear. Each round
 /// starts from what the one before needs; another radial deformation may need more. A wall without any mesh has no
 /// stress.
@@ -141,7 +163,7 @@ MeshedSheet mesh_with_cone(DesignWishes const& wishes, double wall, bool errors)
                                            : ConeNeed{made.walls.back().side_clearance, made.walls.back().tip_radius};
         bool const is_clear = need.clearance <= clearance && need.tip_radius <= tip;
         if (is_clear && !made.walls.empty())
-            break;
+            return cone.tip_radius > 0 ? without_kept_tip(std::move(made), wishes, wall, errors) : made;
         if (is_clear) {
             made.walls = {stress_of(made, wishes, errors)};
             continue;
