@@ -57,6 +57,8 @@ std::vector<BadCommand> const& design_commands()
         {fifty + "--material 30crmnsia", "--material = 30crmnsia", "not known", "write 30CrMnSiA"},
         {fifty + "--material 17-4PH", "--material = 17-4PH", "not known", "by --fatigue, --youngs-modulus and"},
         {fifty + "--material 17-4PH --fatigue 500", "--material = 17-4PH", "not known", "--youngs-modulus"},
+        {fifty + "--material \"$(printf 'a\\nb')\" --fatigue 500 --youngs-modulus 2e5 --poissons-ratio 0.3",
+         "--material = a\\x0ab", "control characters", "leave them out"},
         {fifty + "--fatigue 0", "--fatigue = 0", "not a number above 0", "in MPa such as 550"},
         {fifty + "--fatigue 550MPa", "--fatigue", "'550MPa' is no finite number", "such as 550"},
         {fifty + "--youngs-modulus=-1", "--youngs-modulus = -1", "not a number above 0", "write 206000"},
@@ -125,6 +127,26 @@ TEST_CASE("init writes ready drives that solve without a note and carry their to
         auto const loaded = hdconj_run("load " + size + ".toml --no-curve --no-errors", folder.path());
         INFO(loaded.err);
         CHECK(loaded.status == 0);
+    }
+}
+
+TEST_CASE("the command in the second line of a scene makes that scene again", "[cli][design]")
+{
+    TemporaryFolder folder;
+    for (std::string const wishes :
+         {"--ratio 90 --diameter 45 --material 42CrMo4 --fatigue 512.5",
+          "--ratio 80 --module 0.24 --length-ratio 0.3 --family involute --land 0.3 --clearance 0.01 --safety 1.1",
+          "--ratio 80 --diameter 40 --material \"Bob's \\$HOME * Ti\" --fatigue 450 --youngs-modulus 114000 "
+          "--poissons-ratio 0.34"}) {
+        REQUIRE(hdconj_run("design " + wishes + " -o a.toml -q --force", folder.path()).status == 0);
+        std::string const text = content(folder / "a.toml"), begin = "# hdconj ";
+        std::size_t const at = text.find('\n') + 1;
+        REQUIRE(text.compare(at, begin.size(), begin) == 0);
+        std::size_t const from = at + begin.size();
+        std::string const command = text.substr(from, text.find('\n', from) - from);
+        INFO(command);
+        REQUIRE(hdconj_run(command + " -o a.toml -q --force", folder.path()).status == 0);
+        CHECK(content(folder / "a.toml") == text);
     }
 }
 

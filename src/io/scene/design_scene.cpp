@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <optional>
 
 #include "base/text.hpp"
 #include "hdconj/design_files.hpp"
@@ -30,23 +33,52 @@ std::string comment_on(DesignRow const& row)
     return row.remark.empty() ? text : text + "; " + row.remark;
 }
 
+/// @p text as one word of a shell.
+std::string shell_word(std::string const& text)
+{
+    auto const is_plain = [](unsigned char c) {
+        return c >= 0x80 || std::isalnum(c) != 0 || (c != 0 && std::strchr("-_.+/:,@%", c) != nullptr);
+    };
+    if (!text.empty() && std::ranges::all_of(text, is_plain))
+        return text;
+    std::string quoted = "'";
+    for (char const c : text)
+        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+/// The command that makes the drive again.
+std::string command_of(DesignWishes const& wishes)
+{
+    std::string command = "hdconj design";
+    auto const add = [&](char const* option, std::optional<double> value, double unit = 1) {
+        if (value)
+            command += fmt::format(" {} {}", option, number_text(*value / unit));
+    };
+    add("--ratio", wishes.ratio);
+    add("--diameter", wishes.diameter);
+    add("--module", wishes.module);
+    add("--length-ratio", wishes.length_ratio);
+    add("--torque", wishes.torque, newton_metre);
+    command += " --family " + wishes.family;
+    if (wishes.material != DesignWishes().material)
+        command += " --material " + shell_word(wishes.material);
+    add("--fatigue", wishes.fatigue);
+    add("--youngs-modulus", wishes.youngs_modulus);
+    add("--poissons-ratio", wishes.poissons_ratio);
+    add("--land", wishes.land);
+    add("--clearance", wishes.clearance);
+    add("--safety", wishes.safety);
+    return command;
+}
+
 std::string heading(Design const& design)
 {
-    DesignWishes const& wishes = design.wishes;
-    std::string command = fmt::format("hdconj design --ratio {}", number_text(wishes.ratio));
-    if (wishes.diameter)
-        command += " --diameter " + number_text(*wishes.diameter);
-    if (wishes.module)
-        command += " --module " + number_text(*wishes.module);
-    command += " --length-ratio " + number_text(wishes.length_ratio);
-    if (wishes.torque)
-        command += " --torque " + number_text(*wishes.torque / newton_metre);
     return fmt::format(
         "# {}: a drive by the rules of the thesis (Tables 2-1, 4-1 to 4-3) and by computation.\n"
-        "# {} --family {} --land {} --clearance {} --safety {}\n"
+        "# {}\n"
         "# Lengths in mm. A comment says symbol, name, rule with its range, and source.\n",
-        wishes.name, command, wishes.family, number_text(wishes.land), number_text(wishes.clearance),
-        number_text(wishes.safety));
+        design.wishes.name, command_of(design.wishes));
 }
 
 }  // namespace
