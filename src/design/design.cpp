@@ -101,8 +101,8 @@ Design design_drive(DesignWishes const& wishes, std::function<void(std::string c
 
 std::vector<ReadyDrive> const& ready_drives()
 {
-    // Pitch diameters that go with these sizes; the rules round them to standard modules. Torques grow with the cube of
-    // the diameter, from the 28 N m of type-50 on.
+    // Pitch diameters that go with these sizes; the rules round them to standard modules. Torques grow about with the
+    // cube of these diameters.
     static std::vector<ReadyDrive> const drives{{"size-14", 35, 9 * newton_metre},
                                                 {"size-17", 43, 17 * newton_metre},
                                                 {"size-20", 51, 28 * newton_metre},
