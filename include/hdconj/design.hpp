@@ -51,6 +51,20 @@ template <>
 inline constexpr std::array<std::string_view, 6> words_of<DesignOrigin>{"wish",     "rule",       "limited",
                                                                         "computed", "assumption", "figure"};
 
+/// A range as shares of another dimension.
+struct RangeRule
+{
+    std::string base;        ///< symbol of the row of that dimension
+    DesignRange shares;      ///< of it
+    DesignRange more{0, 0};  ///< is added to them, in the unit of the row
+
+    /// The range where the other dimension has the value @p value.
+    [[nodiscard]] DesignRange operator()(double value) const;
+};
+
+/// "0.5 ... 0.75", ">= 70" or "".
+[[nodiscard]] std::string range_text(std::optional<DesignRange> const& range);
+
 /// One dimension of the drive: a row of the printed table, and where it has a key a line of the scene.
 struct DesignRow
 {
@@ -64,11 +78,12 @@ struct DesignRow
     std::string source;                        ///< of the rule
     DesignOrigin origin = DesignOrigin::rule;  ///< of the value
     std::string remark;                        ///< may be empty
+    std::optional<RangeRule> range_rule = {};  ///< that makes the range; none: no other dimension changes it
 
     /// The value as it stands in the scene, text in quotes.
     [[nodiscard]] std::string written() const;
-    /// "0.5 ... 0.75", ">= 70" or "".
-    [[nodiscard]] std::string range_text() const;
+    /// The range as range_text() writes it.
+    [[nodiscard]] std::string range_text() const { return hdconj::range_text(range); }
     /// The value as a number. @pre it is one
     [[nodiscard]] double number() const { return std::get<double>(value); }
 };
@@ -176,6 +191,7 @@ struct ComparedRow
 {
     std::string here;                              ///< the drive's value as a scene writes it; empty: none
     RuleStanding standing = RuleStanding::no_key;  ///< where it stands against the rule
+    std::optional<DesignRange> range;              ///< of the rule, with the drive's own other dimensions
 };
 
 /// A drive against the design that its own wishes make.

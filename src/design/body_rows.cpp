@@ -95,7 +95,8 @@ class Body
     {
         constexpr double rounding = 1e-9;  // of shares that are quotients of printed numbers
         double const base = sheet_[rule.base];
-        DesignRange const range{rounded(rule.low * base, six_digits), rounded(rule.high * base, six_digits)};
+        RangeRule const range_of{std::string(rule.base), {rule.low, rule.high}};
+        DesignRange const range = range_of(base);
         double const share = rule.symbol == "delta" && wall_ > 0 ? wall_ : rule.type_50;
         DesignRow row{std::string(rule.name),
                       std::string(rule.symbol),
@@ -106,7 +107,8 @@ class Body
                       "mm",
                       std::string(rule.source),
                       DesignOrigin::rule,
-                      ""};
+                      "",
+                      range_of};
         if (rule.type_50 < rule.low - rounding || rule.type_50 > rule.high + rounding)
             row.remark = broken_by_thesis(rule);
         if (rule.low == rule.high)
@@ -200,9 +202,10 @@ void add_spline_rows(Sheet& sheet, DesignWishes const& wishes, ConeNeed const& c
     // Cups from a fifth of the diameter on move at most 1.84 times end_shift(); w_0 is about m.
     double const pulled_back = 2 * drive::end_shift(sheet["d_r"] / 2, sheet["m"], 2, sheet["L"]);
     double const inside = std::min(share_of_teeth * teeth, teeth - 2 * pulled_back);
-    sheet.add({"width of the circular spline", "b_g", "", "L_2 + (2 ... 3) mm",
-               DesignRange{teeth + wider_from, teeth + wider_to}, rounded(teeth + wider_from), "mm", "thesis (4-5)",
-               DesignOrigin::rule, "type-50 has L_2 - 1, against the rule"});
+    RangeRule const width{"L_2", {1, 1}, {wider_from, wider_to}};
+    sheet.add({"width of the circular spline", "b_g", "", "L_2 + (2 ... 3) mm", width(teeth),
+               rounded(teeth + wider_from), "mm", "thesis (4-5)", DesignOrigin::rule,
+               "type-50 has L_2 - 1, against the rule", width});
     sheet.add(equation("width of its toothing", "", "circular_spline.width",
                        "7/8 L_2, at most L_2 - d_r m/(2 L), inside the flexspline's teeth", inside,
                        "type-50; axial movement of bent cups"));

@@ -8,6 +8,7 @@
 #include "hdconj/design.hpp"
 #include "hdconj/scene/schema.hpp"
 #include "same_value.hpp"
+#include "sheet.hpp"
 
 namespace hdconj {
 namespace {
@@ -71,7 +72,14 @@ std::string DesignRow::written() const
     return number_text(number());
 }
 
-std::string DesignRow::range_text() const
+DesignRange RangeRule::operator()(double value) const
+{
+    constexpr int digits = 6;
+    return {design::rounded(shares.low * value + more.low, digits),
+            design::rounded(shares.high * value + more.high, digits)};
+}
+
+std::string range_text(std::optional<DesignRange> const& range)
 {
     constexpr int digits = 4;
     if (!range)

@@ -2,6 +2,7 @@
 // The wishes that a scene stands for, and the scene beside the design that they make.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "base/text.hpp"
 #include "hdconj/design.hpp"
@@ -75,52 +76,80 @@ bool lies_in(DesignRange const& range, double value)
     return range.contains(value) || agree(value, range.low) || (std::isfinite(range.high) && agree(value, range.high));
 }
 
-RuleStanding standing_of(DesignRow const& row, std::string const& here)
+/// Where @p beside, of which all but the standing is known, stands against @p row.
+RuleStanding standing_of(DesignRow const& row, ComparedRow const& beside)
 {
-    bool const same = design::same_value(row.written(), here);
-    auto const number = leading_number(here);
-    if (!row.range || !number || !number->rest.empty())
+    if (beside.here.empty())
+        return row.key.empty() ? RuleStanding::no_key : RuleStanding::unstated;
+    bool const same = design::same_value(row.written(), beside.here);
+    auto const number = leading_number(beside.here);
+    if (!beside.range || !number || !number->rest.empty())
         return same ? RuleStanding::as_proposed : RuleStanding::differs;
-    bool const inside = lies_in(*row.range, number->value);
+    bool const inside = lies_in(*beside.range, number->value);
     return inside ? (same ? RuleStanding::as_proposed : RuleStanding::within)
                   : (same ? RuleStanding::limited : RuleStanding::outside);
 }
 
-ComparedRow compared(DesignRow const& row, Solution const& drive)
+/// The drive's value of @p row as a scene writes it; empty: none.
+std::string value_here(DesignRow const& row, Solution const& drive)
 {
     constexpr int digits = 4;  // as the design has its own
-    ComparedRow beside;
     if (row.key.empty()) {
-        if (auto const figure = figure_of(row, drive))
-            beside.here = short_number(*figure, row.origin == DesignOrigin::figure ? digits : 6);
-        beside.standing = beside.here.empty() ? RuleStanding::no_key : standing_of(row, beside.here);
-        return beside;
+        auto const figure = figure_of(row, drive);
+        return figure ? short_number(*figure, row.origin == DesignOrigin::figure ? digits : 6) : "";
     }
     auto const there = drive.scene.given.find(row.key);
-    if (there != drive.scene.given.end())
-        beside.here = there->second.written;
-    else if (auto const standard = design::standard_value(row.key))
-        beside.here = *standard;
-    beside.standing = beside.here.empty() ? RuleStanding::unstated : standing_of(row, beside.here);
-    return beside;
+    return there != drive.scene.given.end() ? there->second.written
+                                            : design::standard_value(row.key).value_or(std::string());
 }
 
-/// A scene has the fatigue strength of its steel, and no name.
+/// A drive's rows beside those of its design. Ranges that are shares of another dimension are those of the drive's own.
+std::vector<ComparedRow> compared(std::vector<DesignRow> const& rows, Solution const& drive)
+{
+    std::vector<ComparedRow> all;
+    std::map<std::string, double> own;  // by symbol
+    for (DesignRow const& row : rows) {
+        ComparedRow beside{value_here(row, drive), RuleStanding::no_key, row.range};
+        if (row.range && row.range_rule)
+            if (auto const base = own.find(row.range_rule->base); base != own.end())
+                beside.range = (*row.range_rule)(base->second);
+        beside.standing = standing_of(row, beside);
+        if (auto const number = leading_number(beside.here); number && number->rest.empty())
+            own.emplace(row.symbol, number->value);
+        all.push_back(std::move(beside));
+    }
+    return all;
+}
+
+/// A scene has the figures of its steel, and no name.
 template <class Tell>
 void tell_steel(Scene const& scene, DesignWishes& wishes, Tell const& tell)
 {
     auto const& cup = scene.flexspline.cup;
-    if (!cup || cup->fatigue_strength == usual_fatigue_strength)
-        return tell("--material", wishes.material, "the standard value: a scene names no steel");
     auto const& steels = design::flexspline_materials();
-    auto const known = std::ranges::find(steels, cup->fatigue_strength, &design::Material::fatigue);
-    if (known != steels.end()) {
+    bool const is_usual = !cup || cup->fatigue_strength == usual_fatigue_strength;
+    auto const known =
+        is_usual ? steels.end() : std::ranges::find(steels, cup->fatigue_strength, &design::Material::fatigue);
+    if (known != steels.end())
         wishes.material = known->name;
-        return tell("--material", wishes.material, "the steel of flexspline.cup.fatigue_strength");
-    }
-    wishes.fatigue = cup->fatigue_strength;
-    tell("--material", wishes.material, "the standard value: a scene names no steel");
-    tell("--fatigue", short_number(*wishes.fatigue), "flexspline.cup.fatigue_strength");
+    tell("--material", wishes.material,
+         known != steels.end() ? "the steel of flexspline.cup.fatigue_strength"
+                               : "the standard value: a scene names no steel");
+    if (!cup)
+        return;
+    design::Material const steel = design::material_of(wishes);
+    auto const own = [&](char const* option, std::optional<double>& wish, double here, double of_steel,
+                         char const* key) {
+        if (here == of_steel)
+            return;
+        wish = here;
+        tell(option, number_text(here), key);
+    };
+    own("--fatigue", wishes.fatigue, cup->fatigue_strength, steel.fatigue, "flexspline.cup.fatigue_strength");
+    own("--youngs-modulus", wishes.youngs_modulus, cup->youngs_modulus, steel.youngs_modulus,
+        "flexspline.cup.youngs_modulus");
+    own("--poissons-ratio", wishes.poissons_ratio, cup->poissons_ratio, steel.poissons_ratio,
+        "flexspline.cup.poissons_ratio");
 }
 
 }  // namespace
@@ -139,7 +168,7 @@ DesignWishes wishes_of(Scene const& scene, std::vector<DerivedWish>* derived)
     wishes.ratio = static_cast<double>(drive.flexspline_teeth) / design::waves;
     tell("--ratio", short_number(wishes.ratio), "z_f/(z_c - z_f)");
     wishes.module = drive.module;
-    tell("--module", short_number(drive.module), "drive.module");
+    tell("--module", number_text(drive.module), "drive.module");
     auto const& cup = scene.flexspline.cup;
     if (cup)
         wishes.length_ratio = design::rounded(cup->length / pitch_diameter(drive), 6);
@@ -154,7 +183,7 @@ DesignWishes wishes_of(Scene const& scene, std::vector<DerivedWish>* derived)
     tell("--family", wishes.family, "flexspline.profile.family");
     tell_steel(scene, wishes, tell);
     wishes.clearance = scene.circular_spline.backlash_offset;
-    tell("--clearance", short_number(wishes.clearance),
+    tell("--clearance", number_text(wishes.clearance),
          scene.circular_spline.automatic_backlash ? "the standard value: circular_spline.backlash_offset is \"auto\""
                                                   : "circular_spline.backlash_offset");
     tell("--land", short_number(wishes.land), "the standard value: no scene holds it");
@@ -169,8 +198,7 @@ SceneDesign design_beside(Solution const& drive)
     made.design = design_drive(wishes);
     made.design.other = drive.scene.drive.name;
     made.design.differences = differences(made.design, drive.scene);
-    for (DesignRow const& row : made.design.rows)
-        made.here.push_back(compared(row, drive));
+    made.here = compared(made.design.rows, drive);
     return made;
 }
 

@@ -62,7 +62,7 @@ const english = {
   unlike: "Where this drive is not as proposed", allRules: "All rules", key: "Key", why: "Why",
   noRule: "Keys of the scene that the proposed drive does not have",
   designNote: "hdconj design proposes a drive for the wishes that this scene stands for. A row holds this drive's "
-    + "value, and what the rule proposes for it.",
+    + "value, and what the rule proposes for it. A range is that of the rule for this drive's own dimensions.",
   built: "Program built with", curvesBy: "Curves are drawn by uPlot; its licence", keyFigures: "Figures to look at first", atTorque: "At", andMore: "and more",
   interference: "interference",
   atNodes: "at the nodes, but not under the bearing, up to",

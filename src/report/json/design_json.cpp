@@ -15,14 +15,22 @@ Json value_object(scene::ParameterValue const& value)
     return number(std::get<double>(value));
 }
 
+Json range_object(std::optional<DesignRange> const& range)
+{
+    return range ? Json{number(range->low), number(range->high)} : Json();
+}
+
 Json row_object(DesignRow const& row)
 {
-    Json range = nullptr;
-    if (row.range)
-        range = {number(row.range->low), number(row.range->high)};
-    return {{"name", row.name},    {"symbol", row.symbol}, {"key", row.key},
-            {"rule", row.rule},    {"range", range},       {"value", value_object(row.value)},
-            {"unit", row.unit},    {"source", row.source}, {"origin", to_string(row.origin)},
+    return {{"name", row.name},
+            {"symbol", row.symbol},
+            {"key", row.key},
+            {"rule", row.rule},
+            {"range", range_object(row.range)},
+            {"value", value_object(row.value)},
+            {"unit", row.unit},
+            {"source", row.source},
+            {"origin", to_string(row.origin)},
             {"remark", row.remark}};
 }
 
@@ -70,7 +78,8 @@ Json beside_object(SceneDesign const& made)
     for (std::size_t i = 0; i < made.here.size(); ++i) {
         Json& row = object["rows"][i];
         row["written"] = made.design.rows[i].written();
-        row["range_text"] = made.design.rows[i].range_text();
+        row["range"] = range_object(made.here[i].range);
+        row["range_text"] = range_text(made.here[i].range);
         row["here"] = made.here[i].here;
         row["standing"] = to_string(made.here[i].standing);
     }
