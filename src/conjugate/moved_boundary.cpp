@@ -10,14 +10,15 @@
 
 namespace hdconj::conjugate {
 
-ToothSpaceBoundary ToothSpaceBoundary::moved_along_normal(double distance, Tolerance const& tolerance) const
+ToothSpaceBoundary ToothSpaceBoundary::moved_along_normal(double distance, Tolerance const& tolerance,
+                                                          std::optional<double> tip) const
 {
-    ToothSpaceBoundary moved(tooth_, *motion_, offset() + distance, arcs_, pieces_, tip_radius_ + distance, pitch_);
+    double const circle = tip.value_or(tip_radius_ + distance);
+    ToothSpaceBoundary moved(tooth_, *motion_, offset() + distance, arcs_, pieces_, circle, pitch_);
     if (distance == 0)
         return moved;
-    auto const refuse = [&](BoundaryPiece const& piece, std::string const& why,
-                            char const* remedy = "write a smaller tilt.angle_deg") {
-        throw NumericalError(ErrorCode::no_outline, "draft", near_text(at(piece, piece.begin).p),
+    auto const refuse = [&](Vec2 const& place, std::string const& why, char const* remedy) {
+        throw NumericalError(ErrorCode::no_outline, "draft", near_text(place),
                              "moved by " + std::to_string(distance) + " mm along its normal, " + why, remedy);
     };
     std::vector<Remainder> left;
@@ -25,7 +26,8 @@ ToothSpaceBoundary ToothSpaceBoundary::moved_along_normal(double distance, Toler
         Remainder next{piece, piece};
         next.vanished = moved.vanished_part(*this, next.forward);
         if (next.vanished != Vanished::nothing && made_by(piece).kind == OutlineKind::flank)
-            refuse(piece, "the flank would fold over itself there");
+            refuse(at(piece, piece.begin).p, "the flank would fold over itself there",
+                   "write a smaller tilt.angle_deg");
         if (!left.empty() && (next.vanished == Vanished::whole || next.vanished == Vanished::begin))
             left.back().cut = true;
         next.rest = next.forward;
@@ -41,14 +43,14 @@ ToothSpaceBoundary ToothSpaceBoundary::moved_along_normal(double distance, Toler
         bool const between = i > 0 && i + 1 < left.size() && left[i].rest.arc >= 0;
         bool const beside_tip = between && (left[i - 1].rest.arc < 0) != (left[i + 1].rest.arc < 0);
         if (!beside_tip || made_by(left[i].rest).kind == OutlineKind::bottom)
-            refuse(left[i].before, none->why);
+            refuse(none->place, none->why, "write another circular_spline.inner_radius or a smaller tilt.angle_deg");
         gone.push_back(left[i].before);
         left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
         left[i - 1].cut = true;
     }
     for (BoundaryPiece const& piece : gone)
         if (moved.nearest_corner_of_land(sampled(piece, tolerance.length)) < std::abs(distance) - 2 * tolerance.length)
-            refuse(piece, "the part of the outline beside the tip circle would vanish",
+            refuse(at(piece, piece.begin).p, "the part of the outline beside the tip circle would vanish",
                    "write another circular_spline.inner_radius or tilt.angle_deg");
     return moved;
 }
@@ -197,6 +199,7 @@ std::optional<ToothSpaceBoundary::NoPlace> ToothSpaceBoundary::join(std::vector<
                                              extend(left, i, moved, distance, tolerance));
         if (!changed)
             return NoPlace{is_land(i) || (!is_land(i + 1) && is_land(i + 2)) ? i + 1 : i,
+                           at(left[i].before, left[i].before.end).p,
                            "neighbouring parts of the outline would no longer meet there"};
         --changes;
     }
@@ -204,7 +207,7 @@ std::optional<ToothSpaceBoundary::NoPlace> ToothSpaceBoundary::join(std::vector<
         double const was = left[i].before.end - left[i].before.begin;
         double const is = after[i].end - after[i].begin;
         if (std::signbit(was) != std::signbit(is) && was != 0)
-            return NoPlace{i, "a part of the outline would vanish"};
+            return NoPlace{i, at(left[i].before, left[i].before.begin).p, "a part of the outline would vanish"};
     }
     return std::nullopt;
 }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "space_curve.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "hdconj/numeric/bracketed_root.hpp"
 
 namespace hdconj::conjugate {
 
@@ -42,6 +45,39 @@ envelope::SampledArc ToothSpaceBoundary::sampled(BoundaryPiece const& piece, dou
     }
     result.chord = tip_radius_ * (1 - std::cos(0.5 * (piece.end - piece.begin) / count));
     return result;
+}
+
+ToothSpaceBoundary ToothSpaceBoundary::cut_at(double tip) const
+{
+    auto const above = [&](BoundaryPiece const& piece, double u) { return at(piece, u).p.norm() - tip; };
+    std::size_t const last = pieces_.size() - 1;
+    // the flank that leads to the bottom crosses the circle upwards for the last time, the other one then comes down
+    std::size_t left = 0, right = last;
+    for (std::size_t i = 1; i < right; ++i) {
+        bool const begins_above = above(pieces_[i], pieces_[i].begin) >= 0;
+        bool const ends_above = above(pieces_[i], pieces_[i].end) >= 0;
+        if (!begins_above && ends_above)
+            left = i;
+        if (begins_above && !ends_above && left > 0)
+            right = i;
+    }
+    if (left == 0 || right == last)
+        return *this;
+    std::vector<BoundaryPiece> kept(pieces_.begin() + static_cast<std::ptrdiff_t>(left - 1),
+                                    pieces_.begin() + static_cast<std::ptrdiff_t>(right + 2));
+    auto const crossing = [&](BoundaryPiece const& piece) {
+        auto const height = [&](double u) { return above(piece, u); };
+        return numeric::bracketed_root(height, std::min(piece.begin, piece.end), std::max(piece.begin, piece.end)).x;
+    };
+    auto const angle_at = [](Vec2 const& p) { return std::atan2(p.x(), p.y()); };
+    BoundaryPiece &first = kept[1], &final = kept[kept.size() - 2];
+    first.begin = crossing(first);
+    final.end = crossing(final);
+    kept.front() = pieces_.front();
+    kept.front().end = angle_at(at(first, first.begin).p);
+    kept.back() = pieces_.back();
+    kept.back().begin = angle_at(at(final, final.end).p);
+    return {tooth_, *motion_, offset(), arcs_, std::move(kept), tip, pitch_};
 }
 
 }  // namespace hdconj::conjugate

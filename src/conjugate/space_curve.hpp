@@ -77,8 +77,13 @@ class ToothSpaceBoundary
     /// left out: their neighbours meet instead. So is a stretch beside the tip circle that vanishes between its
     /// neighbours: it has become a point before it is left out, and the corner in its place is no nearer to where it
     /// was than @p distance. Exact: the contacts of an offset are those of the base.
+    /// @param tip  radius of the tip circle afterwards, where that is not moved by @p distance [mm]
     /// @throws NumericalError where a flank would fold, or a piece would vanish elsewhere
-    [[nodiscard]] ToothSpaceBoundary moved_along_normal(double distance, Tolerance const& tolerance) const;
+    [[nodiscard]] ToothSpaceBoundary moved_along_normal(double distance, Tolerance const& tolerance,
+                                                        std::optional<double> tip = std::nullopt) const;
+
+    /// The part of this boundary outside a wider tip circle.
+    [[nodiscard]] ToothSpaceBoundary cut_at(double tip) const;
 
   private:
     /// Which part of a moved piece runs backwards.
@@ -112,6 +117,7 @@ class ToothSpaceBoundary
     struct NoPlace
     {
         std::size_t piece = 0;
+        Vec2 place = Vec2::Zero();  ///< the joint that fails, before the move [mm]
         std::string why;
     };
     /// Writes what is @p left into @p moved, each piece cut or extended to where it meets the next. @return the first

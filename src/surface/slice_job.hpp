@@ -66,7 +66,8 @@ struct SliceJob
     }
 
     /// Down to the tip circle @p tip [mm]. The last few are kept: a part is asked for with the tip circle of the scene,
-    /// with the one that it needs and with the one to which moved flanks reach, and then with the first again.
+    /// with the one that it needs and with the one to which moved flanks reach, and then with the first again; a draft
+    /// asks for a smaller one with each.
     [[nodiscard]] std::shared_ptr<conjugate::ToothSpaceBoundary const> boundary(double tip)
     {
         auto const known =
@@ -75,7 +76,7 @@ struct SliceJob
             return *known;
         out.geometry.circular_spline_inner_radius = tip;
         solve->find_boundary();
-        constexpr std::size_t most = 4;
+        constexpr std::size_t most = 8;
         if (found.size() == most)
             found.erase(found.begin());
         return found.emplace_back(std::make_shared<conjugate::ToothSpaceBoundary const>(solve->curve(motion.tooth)));

@@ -245,26 +245,6 @@ NominalSurface ToothSurfaceBuilder::nominal_surface(SurfaceSpec const& spec, Sur
     return {std::move(made), std::move(tip), note_on_sections()};
 }
 
-conjugate::MatchedOutline ToothSurfaceBuilder::one_outline(SurfaceSpec const& spec, double tip, double chord,
-                                                           int flank_intervals)
-{
-    conjugate::ToothSpaceBoundary const& base = middle(tip);
-    if (!spec.is_drafted() || z_.size() == 1) {
-        conjugate::MatchedOutline outline = conjugate::matched_outline({&base}, chord, flank_intervals, threads_);
-        outline.points.resize(z_.size(), outline.points.front());
-        outline.normals.resize(z_.size(), outline.normals.front());
-        return outline;
-    }
-    std::vector<conjugate::ToothSpaceBoundary> moved;
-    std::vector<conjugate::ToothSpaceBoundary const*> slices;
-    moved.reserve(z_.size());
-    for (double const z : z_)
-        in_slice(z, [&] { moved.push_back(base.moved_along_normal(z * std::tan(spec.tilt), tolerance_)); });
-    for (conjugate::ToothSpaceBoundary const& curve : moved)
-        slices.push_back(&curve);
-    return conjugate::matched_outline(slices, chord, flank_intervals, threads_);
-}
-
 conjugate::MatchedOutline ToothSurfaceBuilder::outline_by_slices(Curves const& curves, SurfaceSpec const& spec,
                                                                  double chord, int flank_intervals) const
 {

@@ -149,6 +149,9 @@ class ToothSurfaceBuilder
     void prepare_middle();
     [[nodiscard]] ToothSurfaceBuilder& with_side_clearance(double distance);
     [[nodiscard]] conjugate::ToothSpaceBoundary const& middle(double tip);
+    /// The same with what lies beyond the tip circle, down to a @p smaller one or as far as flanks and land reach: a
+    /// boundary that moves out of the material is cut where it was not before.
+    [[nodiscard]] std::shared_ptr<conjugate::ToothSpaceBoundary const> middle_beyond(double tip, double smaller);
     [[nodiscard]] Curves solved(std::vector<std::size_t> const& wanted, double tip);
     [[nodiscard]] std::vector<std::size_t> own_slices(SurfaceSpec const& spec) const;
     void check_reach(SurfaceSpec const& spec, double tip);

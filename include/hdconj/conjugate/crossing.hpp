@@ -90,7 +90,8 @@ template <motion::RelativeMotion Motion>
 
 /// Parameter at which @p height_of the arc's point is zero, nearest to the guess @p u.
 ///
-/// Brackets outward from the guess in doubling steps, then bisects and interpolates: never a lost sign.
+/// Brackets outward from the guess in doubling steps, at last as far as both ends of the arc, then bisects and
+/// interpolates: never a lost sign.
 /// @param height_of  a smooth function of a point, its slope about 1
 template <motion::RelativeMotion Motion, class Height>
 [[nodiscard]] std::optional<double> crossing_at_height(TurnedArc<Motion> const& a, Height const& height_of, double u,
@@ -101,8 +102,8 @@ template <motion::RelativeMotion Motion, class Height>
     if (h == 0)
         return u;
     double const speed = a.velocity(u).norm();
-    double step = chord / (std::isfinite(speed) && speed > 0 ? speed : 1);
-    while (step <= a.arc.u_end - a.arc.u_begin) {
+    double const first = chord / (std::isfinite(speed) && speed > 0 ? speed : 1), all = a.arc.u_end - a.arc.u_begin;
+    for (double step = std::min(first, all);; step = std::min(2 * step, all)) {
         for (double side : {-1.0, 1.0}) {
             double const other = std::clamp(u + side * step, a.arc.u_begin, a.arc.u_end);
             double const h_other = height(other);
@@ -112,9 +113,9 @@ template <motion::RelativeMotion Motion, class Height>
             if (root.found)
                 return root.x;
         }
-        step *= 2;
+        if (step >= all)
+            return std::nullopt;
     }
-    return std::nullopt;
 }
 
 /// Parameter at which the arc crosses the circle of @p radius about the origin, nearest to the guess @p u.
