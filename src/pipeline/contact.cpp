@@ -42,29 +42,21 @@ struct Goal
 {
     TiltGoal what;
     bool largest;
-    double (*value)(ContactContext const& context, SurfaceSpec const& spec, bool as_made);
+    double (*value)(ContactContext const& context, SurfaceSpec const& spec);
 };
 
-/// The best tilt of one kind. Rarely it can be made with the wider tip circle alone: only then is every one asked for
-/// both.
+/// The best tilt of one kind.
 BestTilt searched(ContactContext const& context, ContactOptions const& options, TiltKind kind, Goal const& goal,
                   std::function<void()> const& on_tilt)
 {
-    for (bool as_made = false;; as_made = true) {
-        BestTilt best = contact::best_tilt(goal.what, kind, options, goal.largest, [&](double tilt) {
-            on_tilt();
-            return goal.value(context, SurfaceSpec{ToothSurface::tilted, kind, tilt}, as_made);
-        });
-        try {
-            ContactCase const found =
-                contact::contact_case(context, {ToothSurface::tilted, kind, best.tilt}, 0, options.errors, nullptr);
-            best.value_error = goal.largest ? found.state.contact_fraction_error : found.least_side_clearance_error;
-            return best;
-        } catch (NumericalError const& error) {
-            if (as_made || !error.is_infeasible())
-                throw;
-        }
-    }
+    BestTilt best = contact::best_tilt(goal.what, kind, options, goal.largest, [&](double tilt) {
+        on_tilt();
+        return goal.value(context, SurfaceSpec{ToothSurface::tilted, kind, tilt});
+    });
+    ContactCase const found =
+        contact::contact_case(context, {ToothSurface::tilted, kind, best.tilt}, 0, options.errors, nullptr);
+    best.value_error = goal.largest ? found.state.contact_fraction_error : found.least_side_clearance_error;
+    return best;
 }
 
 /// Tells how much of the work is done: a surface is a step, a search counts as many.

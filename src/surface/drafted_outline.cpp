@@ -22,12 +22,11 @@ std::shared_ptr<conjugate::ToothSpaceBoundary const> ToothSurfaceBuilder::middle
             return nullptr;
         }
     };
-    if (!(smaller < tip))
-        return middle_job_->boundary(tip);
-    if (auto const found = tried(smaller))
-        return found;
-    double const with_land = middle_job_->solve->pointed_radius(smaller) + 4 * tolerance_.length;
-    auto const found = smaller < with_land && with_land < tip ? tried(with_land) : nullptr;
+    auto const with_land = [&] { return middle_job_->pointed ? *middle_job_->pointed + 4 * tolerance_.length : 0.0; };
+    if (auto const found = tried(std::min(tip, std::max(smaller, with_land()))); found || !(smaller < tip))
+        return found ? found : middle_job_->boundary(tip);
+    middle_job_->pointed = middle_job_->solve->pointed_radius(smaller);
+    auto const found = smaller < with_land() && with_land() < tip ? tried(with_land()) : nullptr;
     return found ? found : middle_job_->boundary(tip);
 }
 

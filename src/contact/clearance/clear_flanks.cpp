@@ -122,17 +122,16 @@ Cleared clear_flanks(CaseSurface const& surface, SliceClearances const& clearanc
 
 void check_as_made(CaseSurface const& surface, Cleared const& cleared)
 {
-    double const nominal_tip_radius = surface.nominal_tip_radius();
-    if (nominal_tip_radius != cleared.tip)
-        (void)surface.outline(nominal_tip_radius);
+    double const tip = surface.nominal_tip_radius();
+    if (tip != cleared.tip)
+        (void)nominal_part(surface, given_clearance(surface.context().scene), tip);
 }
 
-double least_side_clearance_of(ContactContext const& context, surface::SurfaceSpec const& spec, bool as_made)
+double least_side_clearance_of(ContactContext const& context, surface::SurfaceSpec const& spec)
 {
     CaseSurface const surface(context, spec);
     Cleared const cleared = clear_flanks(surface, SliceClearances(context), 0);
-    if (as_made)
-        check_as_made(surface, cleared);
+    check_as_made(surface, cleared);
     return cleared.offset;
 }
 

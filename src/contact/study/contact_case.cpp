@@ -217,13 +217,12 @@ FlankSurface used_surface(ContactContext const& context, surface::SurfaceSpec co
     return {std::move(part.outline), std::move(grid), part.offset, part.tip};
 }
 
-double share_of(ContactContext const& context, surface::SurfaceSpec const& spec, bool as_made)
+double share_of(ContactContext const& context, surface::SurfaceSpec const& spec)
 {
     CaseSurface const surface(context, spec);
     SliceClearances const clearances(context);
     Cleared cleared = clear_flanks(surface, clearances, given_clearance(context.scene));
-    if (as_made)
-        check_as_made(surface, cleared);
+    check_as_made(surface, cleared);
     double const phase = phase_of(context.scene, context.request.wave_generator);
     GapsAtRest rest;
     Cleared const part = used_part(surface, clearances, rest, std::move(cleared), phase);

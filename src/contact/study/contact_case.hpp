@@ -57,11 +57,10 @@ struct SideClearanceNeed
 [[nodiscard]] SideClearanceNeed side_clearance_need(Scene const& scene);
 
 /// The share of this surface alone, without errors, for searches: ContactCase::state's, the same bits.
-/// @param as_made  the surface must also exist with the tip circle that the scene gives, as contact_case() asks
-[[nodiscard]] double share_of(ContactContext const& context, surface::SurfaceSpec const& spec, bool as_made);
+/// @throws NumericalError where contact_case() does, also where only the part as the scene gives it cannot be made
+[[nodiscard]] double share_of(ContactContext const& context, surface::SurfaceSpec const& spec);
 
-/// The least side clearance of this surface alone, for searches.
-[[nodiscard]] double least_side_clearance_of(ContactContext const& context, surface::SurfaceSpec const& spec,
-                                             bool as_made);
+/// The least side clearance of this surface alone, for searches. @throws NumericalError where contact_case() does
+[[nodiscard]] double least_side_clearance_of(ContactContext const& context, surface::SurfaceSpec const& spec);
 
 }  // namespace hdconj::contact
