@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "contact/parallel_trim.hpp"
-#include "hdconj/base/parallel.hpp"
 #include "numeric/least_between.hpp"
+#include "ruled_deviation.hpp"
 #include "side_clearance_search.hpp"
 #include "surface/moved_outline.hpp"
 
@@ -192,39 +192,13 @@ double least_tip_radius_error(CaseSurface const& surface, CaseSurface const& fin
     return std::max(follows, largest_between(meets, numeric::pointed_function) - cleared.tip);
 }
 
-double distance_to(std::vector<Vec2> const& line, Vec2 const& p)
-{
-    double best = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        Vec2 const along = line[i + 1] - line[i];
-        double const length2 = along.squaredNorm();
-        double const t = length2 > 0 ? std::clamp((p - line[i]).dot(along) / length2, 0.0, 1.0) : 0.0;
-        best = std::min(best, (p - line[i] - t * along).squaredNorm());
-    }
-    return std::sqrt(best);
-}
-
-/// Largest distance of the ruled flanks from the conjugate outlines of the planes of @p surface, one by one.
-std::vector<double> deviations(CaseSurface const& surface, FlankGrid const& grid, double tip)
-{
-    conjugate::MatchedOutline const outlines = surface.conjugate_outlines(tip);
-    FlankGrid const to_tip = moved_into_material(grid, 0);
-    std::vector<double> worst(grid.slices(), 0);
-    parallel_for(grid.slices(), surface.context().threads, 1, [&](std::size_t k) {
-        for (auto const& flank : to_tip.point)
-            for (Vec2 const& p : flank[k])
-                worst[k] = std::max(worst[k], distance_to(outlines.points[k], p));
-    });
-    return worst;
-}
-
 /// How far a ruled surface deviates, told in the slices of the scene: they are all planes, or every so many.
 void write_deviation(ErrorPlanes const& planes, Surfaces const& made, bool errors, ContactCase& result)
 {
     std::size_t const slices = made.flanks.grid.slices();
     if (!planes.surface.is_ruled_on_cone() || slices < 2)
         return;
-    std::vector<double> low = deviations(planes.surface, planes.cleared.grid, made.cleared.tip);
+    std::vector<double> low = ruled_deviations(planes.surface, planes.cleared, made.cleared.tip);
     for (std::size_t k = 0; k < low.size(); k += (low.size() - 1) / (slices - 1))
         result.ruled_deviation = std::max(result.ruled_deviation, low[k]);
     if (!errors)
