@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "base/text.hpp"
@@ -47,13 +48,20 @@ void SweptPolygons::add_one(int arc, int copy, std::vector<Vec2> const& points, 
 void SweptPolygons::join_ends(double same)
 {
     std::vector<Vec2> seen;
+    std::multimap<double, std::size_t> by_x;  // numbers of those
     for (auto& polygon : polygons_) {
         for (Vec2* p : {&polygon.front(), &polygon.back()}) {
-            auto const known = std::ranges::find_if(seen, [&](Vec2 const& q) { return (*p - q).norm() <= same; });
-            if (known == seen.end())
+            std::size_t first = seen.size();
+            auto const end = by_x.upper_bound(p->x() + 2 * same);  // twice: no rounding may hide one
+            for (auto near = by_x.lower_bound(p->x() - 2 * same); near != end; ++near)
+                if ((*p - seen[near->second]).norm() <= same)
+                    first = std::min(first, near->second);
+            if (first == seen.size()) {
+                by_x.emplace(p->x(), first);
                 seen.push_back(*p);
-            else
-                *p = *known;
+            } else {
+                *p = seen[first];
+            }
         }
     }
 }
