@@ -186,7 +186,7 @@ TEST_CASE("studies: a part that cannot be made with its side clearance is missin
     ContactOptions options;
     options.errors = false;
     options.kinds = {TiltKind::draft};
-    options.tilts = {1.5 * deg, 0.5 * deg};
+    options.tilts = {3 * deg, 0.5 * deg};
     ContactStudy const study = study_contact(scene, options);
     CHECK(study.cases.size() == 1);
     CHECK(study.missing.size() == 1);

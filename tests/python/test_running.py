@@ -135,7 +135,7 @@ LONG_WORK = {
     "load": lambda: hdconj.load(points=300),
     "contact": lambda: hdconj.contact(CONED, tilts_deg=[0.01 * i for i in range(99)]),
     "accuracy": lambda: hdconj.accuracy(),
-    "wedm": lambda: hdconj.wedm(hdconj.Scene().with_(FINE_CUT)),
+    "wedm": lambda: [hdconj.wedm(hdconj.Scene().with_(FINE_CUT)) for _ in range(20)],
     "neutral curve": lambda: [hdconj.find_neutral_curve(WANTED) for _ in range(20)],
     "design": lambda: [hdconj.design(100, diameter=50, torque=28) for _ in range(20)],
 }

@@ -7,54 +7,14 @@
 #include <iterator>
 
 #include "hdconj/base/parallel.hpp"
+#include "region/segment_tree.hpp"
 
 namespace hdconj::contact {
 namespace {
 
-/// Distance from a line of points, asked for along another one: begins where the last nearest part was.
-class DistanceToLine
-{
-  public:
-    explicit DistanceToLine(std::vector<Vec2> const& line) : line_(line)
-    {
-        for (std::size_t i = 0; i + 1 < line.size(); ++i)
-            longest_ = std::max(longest_, (line[i + 1] - line[i]).norm());
-    }
-    double operator()(Vec2 const& p)
-    {
-        double best = square_from(last_, p);
-        auto const within = [&] { return (std::sqrt(best) + longest_) * (std::sqrt(best) + longest_); };
-        double reach = within();
-        for (std::size_t i = 0; i + 1 < line_.size(); ++i) {
-            if ((p - line_[i]).squaredNorm() > reach)
-                continue;
-            double const square = square_from(i, p);
-            if (square < best) {
-                best = square;
-                last_ = i;
-                reach = within();
-            }
-        }
-        return std::sqrt(best);
-    }
-
-  private:
-    [[nodiscard]] double square_from(std::size_t i, Vec2 const& p) const
-    {
-        Vec2 const along = line_[i + 1] - line_[i];
-        double const length2 = along.squaredNorm();
-        double const t = length2 > 0 ? std::clamp((p - line_[i]).dot(along) / length2, 0.0, 1.0) : 0.0;
-        return (p - line_[i] - t * along).squaredNorm();
-    }
-
-    std::vector<Vec2> const& line_;
-    double longest_ = 0;
-    std::size_t last_ = 0;
-};
-
 /// Largest distance between two neighbouring points a and b of a flank, a chord that follows it: golden section.
 template <class Distance>
-double largest_on_chord(Distance& distance, Vec2 const& a, Vec2 const& b)
+double largest_on_chord(Distance const& distance, Vec2 const& a, Vec2 const& b)
 {
     constexpr double golden = 0.6180339887498949;
     constexpr int steps = 12;
@@ -70,7 +30,7 @@ double largest_on_chord(Distance& distance, Vec2 const& a, Vec2 const& b)
 
 /// Largest distance of a line of points, and of what lies between those where it is largest and their neighbours.
 template <class Distance>
-double largest_along(Distance& distance, std::vector<Vec2> const& line)
+double largest_along(Distance const& distance, std::vector<Vec2> const& line)
 {
     std::vector<double> at;
     for (Vec2 const& p : line)
@@ -105,7 +65,13 @@ std::vector<double> ruled_deviations(CaseSurface const& surface, PartFlanks cons
     FlankGrid const to_tip = moved_into_material(flanks.grid, 0);
     std::vector<double> worst(to_tip.slices(), 0);
     parallel_for(to_tip.slices(), surface.context().threads, 1, [&](std::size_t k) {
-        DistanceToLine distance(outlines.points[k]);
+        region::SegmentTree const line(outlines.points[k]);
+        std::size_t near = 0;
+        auto const distance = [&](Vec2 const& p) {
+            region::SegmentTree::Nearest const found = line.nearest(p, near);
+            near = found.segment;
+            return found.distance;
+        };
         for (std::size_t flank = 0; flank < 2; ++flank) {
             std::vector<Vec2> const& corners = to_tip.point[flank][k];
             double const tip_here = corners.front().norm();
