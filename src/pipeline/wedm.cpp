@@ -158,7 +158,7 @@ WireSetUps wire_set_ups(Scene const& scene, StageObserver const& on_stage)
 {
     wedm::refuse_wire_faults(scene);
     return wedm::cuts_flexspline(scene) ? flexspline_programs(scene, on_stage)
-                                        : WireSetUps{wire_program(scene, on_stage)};
+                                        : WireSetUps{spline_program(scene, solve(wire_scene(scene), on_stage))};
 }
 
 }  // namespace hdconj

@@ -67,12 +67,12 @@ std::optional<Note> sharp_corner(Scene const& scene, CircularSplineOutline const
     WireRequest const& wire = *wired.wedm;
     if (wire.wire_diameter + 2 * wire.spark_gap >= std::numbers::pi * scene.drive.module)
         return std::nullopt;  // enters no space
-    auto const job_of = [&](CircularSplineOutline const& ring) {
-        return WireJob(wired, wire_faces(ring, scene.drive.circular_spline_teeth, thickness_of(wired)));
-    };
-    if (fits_well(job_of(with_fewer_points(outline, wire.tolerance))))
+    int const teeth = scene.drive.circular_spline_teeth;
+    double const thickness = thickness_of(wired);
+    WireJob const about(wired, wire_faces(with_fewer_points(outline, wire.tolerance), teeth, thickness));
+    if (fits_well(about))
         return std::nullopt;
-    WireJob const job = job_of(outline);
+    WireJob const job(wired, wire_faces(outline, teeth, thickness));
     PitchPass const pass = pitch_pass(job, wire.wire_diameter, 0);
     Residual const* const worst = pass.uncut.highest();
     if (worst == nullptr)
