@@ -129,6 +129,28 @@ TEST_CASE("the page of a running drive's file holds the numbers of the page that
         CHECK_THAT(words, ContainsSubstring(std::string("\n") + each + ' '));
 }
 
+TEST_CASE("without scripts a page marks errors that are large or were not determined", "[report]")
+{
+    TemporaryFolder const folder;
+    for (bool const errors : {true, false}) {
+        INFO(errors);
+        std::string const asked = errors ? "" : "--no-errors ";
+        REQUIRE(hdconj_run("load --set slices.count=3 --no-curve " + asked + "-o a.h5 -q", folder.path()).status == 0);
+        REQUIRE(hdconj_run("report a.h5 -o page.html", folder.path()).status == 0);
+        std::string const words = words_of(folder / "page.html");
+        auto const line = [&](std::string const& name) {
+            std::size_t const from = words.find('\n' + name + ' ') + 1;
+            return words.substr(from, words.find('\n', from) - from);
+        };
+        for (char const* const name : {"largest_stress", "contact_area"}) {
+            INFO(line(name));
+            CHECK((line(name).find("+- not determined") != std::string::npos) == !errors);
+        }
+        CHECK((line("contact_area").find("? mm^2") != std::string::npos) == errors);
+        CHECK_THAT(words, ContainsSubstring("\n?: the error is more than a third of the figure"));
+    }
+}
+
 TEST_CASE("a file that is no sound result is refused with what to do", "[report]")
 {
     TemporaryFolder const folder;

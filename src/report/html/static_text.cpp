@@ -4,22 +4,27 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <set>
 #include <vector>
 
+#include "figures/figure_of.hpp"
+
 namespace hdconj::report {
 namespace {
 
-/// @p value with its error, which is infinite where it is not known: then the value is no more than a guess.
+/// @p value with its error, marked where that is more than a third of it; NaN: an error that was not determined.
 std::string value_text(double value, std::optional<double> error)
 {
     if (!std::isfinite(value))
         return "-";
     std::string const text = fmt::format("{:.9g}", value);
-    if (!error || std::isnan(*error))
+    if (!error)
         return text;
-    return std::isfinite(*error) ? fmt::format("{} +- {:.2g}", text, *error) : text + " ?";
+    return std::isfinite(*error)
+               ? fmt::format("{} +- {:.2g}{}", text, *error, figures::is_unconverged(value, *error) ? "?" : "")
+               : text + " +- not determined";
 }
 
 std::vector<double> column_at(Json const& group, std::string const& path)
@@ -32,7 +37,7 @@ std::vector<double> column_at(Json const& group, std::string const& path)
 
 std::optional<double> attribute_at(Json const& group, std::string const& name)
 {
-    Json const& attributes = group.at("attributes");
+    Json const attributes = group.value("attributes", Json::object());
     if (!attributes.contains(name) || !attributes.at(name).is_number())
         return std::nullopt;
     return attributes.at(name).get<double>();
@@ -60,18 +65,26 @@ std::string words_of(Json const& group)
 std::string figures_text(Json const& group, bool columns)
 {
     std::string text;
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    bool const estimated = !(attribute_at(group, "estimated") == 0.0);
+    std::vector<double> const estimated_cases = column_at(group, "error/estimated");
     for (Json const& figure : group.value("figures", Json::array())) {
         auto const name = figure[0].get<std::string>(), at = figure[1].get<std::string>(),
                    error = figure[2].get<std::string>(), unit = figure[3].get<std::string>();
         if (figure[5].get<bool>()) {
-            if (auto const value = attribute_at(group, at))
+            auto const value = attribute_at(group, at);
+            if (value && !error.empty() && !estimated)
+                text += line_of(name, value_text(*value, unknown), unit);
+            else if (value)
                 text += line_of(name, value_text(*value, attribute_at(group, error)), unit);
         } else if (columns) {
             std::vector<double> const values = column_at(group, at), errors = column_at(group, error);
             std::string cases;
-            for (std::size_t k = 0; k < values.size(); ++k)
-                cases += (k > 0 ? " | " : "") +
-                         value_text(values[k], k < errors.size() ? std::optional(errors[k]) : std::nullopt);
+            for (std::size_t k = 0; k < values.size(); ++k) {
+                bool const known = estimated && !(k < estimated_cases.size() && estimated_cases[k] == 0);
+                std::optional<double> const own = k < errors.size() ? std::optional(errors[k]) : std::nullopt;
+                cases += (k > 0 ? " | " : "") + value_text(values[k], own && !known ? unknown : own);
+            }
             text += line_of(name, cases, unit);
         }
     }
@@ -95,6 +108,8 @@ std::string stored_text(Json const& parts)
                 if (std::string const figures = figures_text(each, false); !figures.empty())
                     text += fmt::format("\n{}, {}\n{}{}", part, place, words_of(each), figures);
         }
+    if (text.find('?') != std::string::npos)
+        text += "\n?: the error is more than a third of the figure\n";
     return text;
 }
 
