@@ -172,7 +172,7 @@ Faults nearest_load(DesignWishes const& wishes, MeshedSheet const& failed, WallS
     if (best.interferes)
         return {too_much_cone(wishes, refusal)};
     bool const is_bent_too_far = best.assembled > allowed_stress(wishes);  // without torque
-    std::string const reason = refusal + (is_bent_too_far ? ", without torque already" : "");
+    std::string const reason = refusal + (is_bent_too_far ? ", even without torque" : "");
     Faults faults;
     if (auto const torque = search.most_torque())
         faults.push_back(fault_of("--torque", short_number(*wishes.torque / newton_metre), reason,

@@ -97,7 +97,7 @@ WallTrial stress_of(MeshedSheet const& made, DesignWishes const& wishes, bool er
         trial.error = only.estimated ? only.error.largest_stress : 0;
         double const most = std::max(trial.assembled, trial.loaded);
         if (most > allowed_stress(wishes))
-            trial.refusal = short_number(most, told_digits) + " MPa, and " +
+            trial.refusal = "the largest stress of the cup is " + short_number(most, told_digits) + " MPa, and " +
                             short_number(allowed_stress(wishes), told_digits) + " MPa are allowed";
     } catch (NumericalError const& error) {
         error.rethrow_unless_infeasible();

@@ -22,8 +22,8 @@ struct SegmentFoot
 /// Distance of the segments a b and c d; 0 where they touch or cross [mm].
 [[nodiscard]] double distance_of_segments(Vec2 const& a, Vec2 const& b, Vec2 const& c, Vec2 const& d);
 
-/// A binary tree of boxes over the segments of a line in their own order. A search among n segments of a smooth line
-/// asks some sqrt(n) of them, and some log(n) where the point lies on it.
+/// A binary tree of boxes over the segments of a line, in the order of the line. The search for the nearest of n
+/// segments of a smooth curve measures the distance of about sqrt(n) of them; near the curve, of about log(n).
 class SegmentTree
 {
   public:
@@ -40,8 +40,9 @@ class SegmentTree
     /// @param near  a segment that may be close: the answer of the point before. Any is right, a near one is fast.
     [[nodiscard]] Nearest nearest(Vec2 const& p, std::size_t near) const;
 
-    /// Asks @p measure(segment) of the segments whose boxes lie within @p reach of @p p, the nearer ones first. Each
-    /// answer is the reach from then on [mm^2]: as a square.
+    /// Calls @p measure(segment) for the segments whose boxes are nearer to @p p than @p reach, nearer boxes first.
+    /// @param reach    square of a distance [mm^2]
+    /// @param measure  returns the square that takes the place of reach
     template <class Measure>
     void approach(Vec2 const& p, double reach, Measure&& measure) const
     {

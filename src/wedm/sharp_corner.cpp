@@ -32,8 +32,9 @@ Scene judged(Scene const& scene)
 /// Part of the wire's tolerance that a contour may lose by having fewer points: what moves and arcs leave of it.
 constexpr double share_of_contour = 1.0 / 32;
 
-/// @p outline with no more points than a wire of @p tolerance asks for: lines between those of the ends of the face
-/// width keep to that share of it, and what is marked stays.
+/// @p outline with fewer points. At both ends of the face width every point that is left out lies within
+/// share_of_contour of @p tolerance [mm] of the straight line between its neighbours. Landmarks and ends of pieces
+/// stay.
 CircularSplineOutline with_fewer_points(CircularSplineOutline const& outline, double tolerance)
 {
     std::vector<std::size_t> marked(outline.landmarks.begin(), outline.landmarks.end());

@@ -105,7 +105,7 @@ TEST_CASE("a cup that is bent too far without torque is told the safety and the 
         CHECK(names(faults, "--ratio") == (length_ratio == 1));
         CHECK(faults.size() == 2);
         for (Fault const& each : faults)
-            CHECK(says(each, "without torque already"));
+            CHECK(says(each, "even without torque"));
     }
 }
 
