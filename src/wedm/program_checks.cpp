@@ -201,9 +201,10 @@ WireFailures check_machine(MachineLimits const& limits, WireProgram& program)
     program.figures = measured(program);
     WireFigures const& figures = program.figures;
     WireFailures failures;
+    constexpr double rounding = 0x1p-40;  // relative, of points that were moved and turned
     // in the unit of the key @p key
     auto const check = [&](double figure, double limit, char const* what, char const* key) {
-        if (figure > limit)
+        if (figure > limit * (1 + rounding))
             failures.emplace_back(
                 fmt::format("machine: {} ({})", fmt::format(fmt::runtime(what), figure, limit), key),
                 fmt::format("write at least {} = {:.7g} for a machine that has it", key, told_above(figure)));

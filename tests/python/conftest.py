@@ -2,6 +2,7 @@
 """The program beside the package: what both are asked, and how their answers are compared."""
 
 import os
+import signal
 import subprocess
 from pathlib import Path
 
@@ -10,6 +11,9 @@ import numpy as np
 import pytest
 
 import hdconj
+
+# What a script starts in the background ignores Ctrl-C, and so would all that the tests start.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 PROGRAM = os.environ["HDCONJ_PROGRAM"]
 SOURCE = Path(os.environ["HDCONJ_SOURCE"])
