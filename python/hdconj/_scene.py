@@ -181,12 +181,12 @@ class Scene:
         return plan
 
     def to_toml(self) -> str:
-        """The scene as text, changes included."""
-        return self._core.text
+        """The scene as text, changes included; without the byte order mark that its file may begin with."""
+        return self._core.text.removeprefix("\ufeff")
 
     def to_dict(self) -> dict[str, Any]:
         """The scene as nested dictionaries, changes included; relative file names start at :attr:`folder`."""
-        return tomllib.loads(self._core.text)
+        return tomllib.loads(self.to_toml())
 
     @property
     def name(self) -> str:
@@ -208,7 +208,7 @@ class Scene:
         return hash(self._key())
 
     def _key(self) -> tuple[str, str]:
-        return self._core.text, self._source[2]
+        return self.to_toml(), self._source[2]
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Scene._of, (self._source, self._overrides)

@@ -300,6 +300,27 @@ def test_no_fault_hides_another_one():
     assert "unknown name flexspline.thick (write flexspline.wall)" in said
     with pytest.raises(hdconj.InputError, match="scene nothere.toml: there is no such file"):
         study.read_recipe(EVERYWHERE)
+def test_a_byte_order_mark_changes_nothing(tmp_path):
+    """Of a scene and of a study: some editors begin a file with one."""
+    plain = hdconj.Scene()
+    marked = hdconj.Scene.from_toml("\ufeff" + plain.to_toml())
+    (tmp_path / "drive.toml").write_text(plain.to_toml(), encoding="utf-8-sig")
+    loaded = hdconj.Scene.load(tmp_path / "drive.toml")
+    assert marked.to_toml() == loaded.to_toml() == plain.to_toml() and marked == plain
+    assert marked.to_dict() == loaded.to_dict() == plain.to_dict()
+    file = tmp_path / "study.toml"
+    file.write_text('scene = "drive.toml"\n' + GOOD, encoding="utf-8-sig")
+    good = study.load_recipe(file)
+    row = _drive.row_of(good, (0, good.first), False)[0]
+    same = study.read_recipe(GOOD)
+    assert row["code"] == "" and row == _drive.row_of(same, (0, same.first), False)[0]
+    _store.Folder(tmp_path / "out").write_scene(tmp_path / "best.toml", good, good.first)
+    assert not hdconj.Scene.load(tmp_path / "best.toml").check() and study.read_recipe("\ufeff" + GOOD).drives == 8
+    wrong = GOOD.replace('"sobol"', '"sobel"').lstrip()
+    with pytest.raises(hdconj.InputError, match="line 4: sample.method"):
+        study.read_recipe("\ufeff" + wrong)
+
+
 
 
 def test_a_grid_has_a_largest_size():

@@ -156,6 +156,7 @@ def read_recipe(
 
 def load_recipe(file: str | os.PathLike[str], computed: bool = False) -> Recipe:
     """Read a study from a file; see :func:`read_recipe`."""
+    text = text.removeprefix("\ufeff")  # a byte order mark, which scenes may begin with too
     try:
         text = Path(file).read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
