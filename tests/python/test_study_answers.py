@@ -307,6 +307,44 @@ def test_what_pictures_show(run, tmp_path):
     assert not constant.patches and list(constant.lines[0].get_xdata()) == [3, 3]
 
 
+FOLDERS = """
+[vary]
+x = { normal = [0.5, 0.1] }
+"drive.name" = { list = [NAMES] }
+[sample]
+count = 16
+[figures]
+f = "x"
+none = "log(x - 100)"
+[objectives]
+f = "min"
+none = "min"
+"""
+
+
+@pytest.mark.parametrize("count, length", [(2, 3), (3, 30), (3, 80), (40, 4)])
+def test_words_of_pictures_do_not_lie_over_each_other(run, tmp_path, count, length):
+    """However many and long they are; what all share is said once. A figure without any value has no scales."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    names = [f"data/a{chr(97 + i % 26) * length}{i}.csv" for i in range(count)]
+    found = run(FOLDERS.replace("NAMES", ", ".join(f'"{name}"' for name in names)), tmp_path)
+    figure = keys_picture(found)
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    pane = figure.axes[-1]
+    labels = [label for label in pane.get_xticklabels() if label.get_text()]
+    boxes = [label.get_window_extent(canvas.get_renderer()) for label in labels]
+    assert len(labels) > 1 and not any(one.overlaps(other) for one, other in zip(boxes, boxes[1:]))
+    assert pane.get_window_extent().height > 100
+    begin, star, end = pane.get_xlabel().partition("\n")[2].partition("*")
+    assert {f"{begin}{label.get_text()}{end}" for label in labels} <= set(names) and bool(star) == (count * length > 9)
+    assert len({axis.get_xlim() for axis in figure.axes[1::2]}) == 1
+    empty = [*figure.axes[2:], histogram_picture(found).axes[1], front_picture(found).axes[0]]
+    assert [axis.texts[0].get_text() for axis in empty] == 4 * ["no value"]
+    assert not any(len(axis.get_yticks()) for axis in empty) and not len(empty[0].get_xticks())
+
+
 def test_indices_of_a_sum(run, tmp_path):
     """Var(3 a + b) is nine parts of a and one of b."""
     found = run(

@@ -20,6 +20,8 @@ from ._study import Study
 
 GOOD, POOR, BEST = "#1f5fa8", "#b9c4d0", "#d0471f"
 _DPI = 140
+_ROOM = 52  # characters side by side under a pane
+_MOST_UPRIGHT = 26  # words under a pane
 
 
 def _label(study: Study, name: str) -> str:
@@ -30,6 +32,39 @@ def _label(study: Study, name: str) -> str:
 def _folded(label: str) -> str:
     """A long name in several lines, each of which ends with a part of it."""
     return re.sub(r"(\S{16,}?_)(?=\S)", r"\1\n", label)
+
+
+def _fit(words: list[str]) -> bool:
+    """Whether words fit side by side under a pane."""
+    room = _ROOM / len(words)
+    joined = [(len(one) + len(other)) / 2 + 1 for one, other in zip(words, words[1:])]
+    return max(len(words[0]), len(words[-1])) <= room + 4 and all(each <= room for each in joined)
+
+
+def _shortened(words: list[str]) -> tuple[list[str], str]:
+    """Words without the parts that all begin and end with, and these around a star; whole where they share little."""
+    begin = re.sub(r"[^\W_]*\Z", "", os.path.commonprefix(words))
+    end = os.path.commonprefix([word[len(begin) :][::-1] for word in words])[::-1]
+    end = re.sub(r"\A[^\W_]*", "", end)
+    if len(words) < 2 or len(begin + end) < 3:
+        return words, ""
+    return [word[len(begin) : len(word) - len(end)] for word in words], f"{begin}*{end}"
+
+
+def _write_words(pane: Any, words: list[str], key: str) -> int:
+    """Words at the places 0, 1 ... of a pane, upright where they do not fit side by side; the length that they need."""
+    short, shared = (words, "") if _fit(words) else _shortened(words)
+    every, is_upright = -(-len(short) // _MOST_UPRIGHT), not _fit(short)
+    pane.set_xticks(range(0, len(short), every), short[::every], fontsize=7, rotation=90 if is_upright else 0)
+    pane.set_xlabel(f"{key}\n{shared}" if shared else key)
+    return max(map(len, short)) if is_upright else 1
+
+
+def _say_none(pane: Any) -> None:
+    """Says in an empty pane that there is nothing to be seen, in place of scales that mean nothing."""
+    pane.text(0.5, 0.5, "no value", transform=pane.transAxes, ha="center", va="center", color="0.4")
+    pane.set_xticks([])
+    pane.set_yticks([])
 
 
 def _figure(columns: int, rows: int) -> tuple[Any, Any]:
@@ -54,24 +89,27 @@ def keys_picture(study: Study) -> Any:
     if not keys:
         return None
     figure, panes = _figure(len(keys), len(names))
-    good, numeric = study.feasible(), _numeric(study)
+    good, numeric, tallest = study.feasible(), _numeric(study), 1
     for row, name in enumerate(names):
         for column, key in enumerate(keys):
             pane, places = panes[row, column], study.frame[key]
             is_last = row == len(names) - 1
+            if is_last:
+                pane.set_xlabel(key)
+            if study.frame[name].isna().all():
+                _say_none(pane)
             if key not in numeric:
                 places, words = places.astype(str).factorize(sort=True)
-                shown = words if is_last else [""] * len(words)
-                pane.set_xticks(range(len(words)), shown, fontsize=7, rotation=90 if len(words) > 3 else 0)
-                pane.margins(x=0.5 / len(words))
+                pane.set_xticks(range(len(words)), [""] * len(words))
+                pane.set_xlim(-0.5, len(words) - 0.5)
+                tallest = max(tallest, _write_words(pane, list(words), key) if is_last else 1)
             for mask, colour, meaning in ((~good, POOR, "breaks a constraint"), (good, GOOD, "keeps all constraints")):
                 pane.plot(places[mask], study.frame[name][mask], ".", ms=3, color=colour, label=meaning)
             if column == 0:
                 pane.set_ylabel(_folded(_label(study, name)))
-            if is_last:
-                pane.set_xlabel(key)
     if study.made(study.frame)[~good].any():
         panes[0, -1].legend(fontsize=7, markerscale=2, ncols=2, loc="lower right", bbox_to_anchor=(1, 1))
+    figure.set_figheight(figure.get_figheight() + 0.055 * (tallest - 1))
     return figure
 
 
@@ -86,7 +124,9 @@ def histogram_picture(study: Study) -> Any:
     for name, pane in zip(names, panes.flat):
         values = study.frame[name][study.independent()]  # a drive that cannot be made keeps no limits
         found = values.dropna()
-        if found.nunique() == 1:
+        if found.empty:
+            _say_none(pane)
+        elif found.nunique() == 1:
             pane.plot(2 * [found.iloc[0]], [0, len(found)], color=GOOD, lw=4, solid_capstyle="butt")
             pane.set_xticks([found.iloc[0]])
             pane.set_ylim(bottom=0)
@@ -118,6 +158,8 @@ def front_picture(study: Study) -> Any:
     for (a, b), pane in zip(pairs, panes.flat):
         pane.plot(poor[a], poor[b], ".", ms=3, color=POOR, label="breaks a constraint" if len(poor) else None)
         pane.plot(good[a], good[b], ".", ms=3, color=GOOD, label="keeps all constraints")
+        if study.frame[[a, b]].dropna().empty:
+            _say_none(pane)
         ordered = front.sort_values(a)
         line = "o-" if len(names) == 2 else "o"  # of more objectives no line joins neighbours
         pane.plot(ordered[a], ordered[b], line, ms=4, lw=0.8, color=BEST, label="beaten by none")
