@@ -469,6 +469,10 @@ def test_the_folder_has_the_files_that_the_scene_names(scheduler, tmp_path):
     assert list(found.frame["code"]) == 4 * [""]
     depth = list(found.frame["depth"])
     assert len(set(depth)) == 4  # every cam and every wall
+    cams = found.frame["wave_generator.file"]
+    assert list(cams) == 2 * ["a/cam.csv"] + 2 * ["b/cam.csv"]  # as the study names them, in all that is read
+    assert found.to_xarray()["wave_generator.file"].values.tolist() == ["a/cam.csv", "b/cam.csv"]
+    assert found.best(1)["wave_generator.file"][0] in set(cams)
     names = {each.name for each in (first / "files").iterdir()}
     assert len(names) == 3 and {"cam.csv", POINTS} < names
     assert study.run(file, first, scheduler=scheduler, progress=False).done == 0
@@ -487,6 +491,54 @@ def test_the_folder_has_the_files_that_the_scene_names(scheduler, tmp_path):
     said = subprocess.run(command("best", first, "--scene", best), capture_output=True, text=True, cwd=tmp_path)
     assert said.returncode == 0, said.stderr
     assert hdconj.solve(best).figures["space_depth"].value == max(depth)
+
+
+NAMED = """
+[set]
+"solver.tolerance" = 1e-3
+"flexspline.profile.file" = "tooth"
+[vary]
+"errors.profile_form" = { list = ["form.csv", "other/form.csv", "files/form.csv", "OTHER"] }
+"drive.name" = { list = ["tooth", "form.csv"] }
+[files]  # the study's own name
+tooth = "TOOTH"
+[sample]
+method = "grid"
+[figures]
+depth = "solve.space_depth"
+[scene]
+SCENE
+"""
+
+
+def test_files_have_the_names_that_the_study_gives_them(scheduler, tmp_path):
+    """Equal names in several folders, absolute ones, one of [files]; also where a copy would take the name of another.
+
+    The words of a key that names no files are no names of files.
+    """
+    source = Path(os.environ["HDCONJ_SOURCE"], "data/scenes")
+    scene = (source / "points.toml").read_text().replace("\n[", "\n[scene.").replace("points-flank.csv", "nowhere.csv")
+    for place, rise in ((".", 1), ("other", 2), ("files", 3)):
+        (tmp_path / place).mkdir(exist_ok=True)
+        (tmp_path / place / "form.csv").write_text(f"height [mm],excess [um]\n-0.3,0\n-0.1,1\n0.1,{rise}\n0.3,0\n")
+    text = NAMED.replace("TOOTH", str(source / "points-flank.csv")).replace("SCENE", scene)
+    (tmp_path / "study.toml").write_text(text.replace("OTHER", str(tmp_path / "other/form.csv")))
+    first, second = tmp_path / "first", tmp_path / "second"
+    study.run(tmp_path / "study.toml", first, scheduler=scheduler, progress=False)
+    assert len([*(first / "files").iterdir()]) == 4
+    given = ["form.csv", "other/form.csv", "files/form.csv", str(tmp_path / "other/form.csv")]
+    contents = [(tmp_path / name).read_bytes() for name in given]
+    study.run(first / "study.toml", second, scheduler=scheduler, progress=False)
+    assert bits(first) == bits(second)
+    for place in (first, second):
+        assert study.run(place / "study.toml", place, scheduler=scheduler, progress=False).done == 0
+        found = study.open(place)
+        assert list(found.frame["errors.profile_form"][::2]) == given
+        assert list(found.frame["drive.name"]) == 4 * ["tooth", "form.csv"] and (found.frame["code"] == "").all()
+        for sample, row in enumerate(found.frame.to_dict("records")):
+            used = found.scene(sample)
+            assert Path(used.folder, used.to_dict()["errors"]["profile_form"]).read_bytes() == contents[sample // 2]
+            assert used.name == row["drive.name"]
 
 
 TEETH = """

@@ -6,12 +6,15 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Iterable, Mapping
+import re
+from collections.abc import Container, Iterable, Mapping
 from pathlib import Path
 
 from .._scene import Scene, quoted
 
 FOLDER = "files"  # of the copies, in that of the study
+# The table that says where the files are that a study names.
+TABLE = re.compile(r"""^[ \t]*\[[ \t]*(?:files|"files"|'files')[ \t]*\].*\n?(?:(?![ \t]*\[).*(?:\n|\Z))*""", re.M)
 
 
 def contents(scenes: Iterable[Scene]) -> dict[str, bytes]:
@@ -21,14 +24,17 @@ def contents(scenes: Iterable[Scene]) -> dict[str, bytes]:
 
 
 def copies(files: Mapping[str, bytes]) -> dict[str, str]:
-    """Name of the copy of each file in the folder of a study; files of one name and several contents are kept apart."""
-    first: dict[str, bytes] = {}
-    found = {}
+    """Name of the copy of each file in the folder of a study, one for each content.
+
+    It is that of the file, unless another content has it, or a study calls another content so.
+    """
+    of_content: dict[bytes, str] = {}
     for name, content in files.items():
-        base = os.path.basename(name)
-        is_first = first.setdefault(base, content) == content
-        found[name] = f"{FOLDER}/{base if is_first else f'{checksum(content)[:12]}-{base}'}"
-    return found
+        plain = f"{FOLDER}/{os.path.basename(name)}"
+        is_free = plain not in of_content.values() and files.get(plain, content) == content
+        copy = plain if is_free else f"{FOLDER}/{checksum(content)[:12]}-{os.path.basename(name)}"
+        of_content.setdefault(content, copy)
+    return {name: of_content[content] for name, content in files.items()}
 
 
 def checksum(content: bytes) -> str:
@@ -37,16 +43,28 @@ def checksum(content: bytes) -> str:
 
 
 def renamed(text: str, names: Mapping[str, str]) -> str:
-    """A text of TOML or JSON with other names where it names files."""
+    """A text of JSON with other names where it names files."""
     for name, other in names.items():
-        for written in (json.dumps(name), json.dumps(name, ensure_ascii=False), f"'{name}'"):
-            text = text.replace(written, quoted(other))
+        text = text.replace(json.dumps(name), json.dumps(other))
     return text
+
+
+def placed(scene: Scene, names: Mapping[str, str], paths: Container[str] | None = None) -> Scene:
+    """A scene with other names of its files, of all or of those at some paths."""
+    files = scene._core.files.items()
+    changes = {path: names[name] for path, (name, _) in files if name in names and (paths is None or path in paths)}
+    return scene.with_(changes) if changes else scene
+
+
+def with_table(text: str, names: Mapping[str, str]) -> str:
+    """The text of a study with a table [files] in place of the one that it has."""
+    lines = "".join(f"{quoted(name)} = {quoted(copy)}\n" for name, copy in names.items() if name != copy)
+    return TABLE.sub("", text).rstrip() + "\n" + (f"\n[files]\n{lines}" if lines else "")
 
 
 def scene_text(scene: Scene, folder: str | os.PathLike[str]) -> str:
     """A scene as text for a file in a folder, where its relative file names start."""
     start, end = Path(scene._source[2]).resolve(), Path(folder).resolve()
-    names = {path: os.path.relpath(start / name, end) for path, (name, _) in scene._core.files.items()
+    names = {name: os.path.relpath(start / name, end) for name, _ in scene._core.files.values()
              if start != end and not os.path.isabs(name)}  # fmt: skip
-    return (scene.with_(names) if names else scene).to_toml()
+    return placed(scene, names).to_toml()

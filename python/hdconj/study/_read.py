@@ -17,7 +17,7 @@ from ._recipe import Recipe, flat
 from ._sample import METHODS, sample_count
 from ._tables import Reader
 
-TABLES = ("scene", "set", "vary", "sample", "compute", "figures", "constraints", "objectives", "optimise")
+TABLES = ("scene", "set", "vary", "sample", "compute", "figures", "constraints", "objectives", "optimise", "files")
 OPTIMISERS = ("nsga2", "cmaes", "random")
 LARGEST_SEED = 10**9
 
@@ -90,6 +90,7 @@ def _read_tables(reader: Reader, computed: bool) -> Recipe:
     _refuse_too_many(reader, method, count, tuple(keys))
     for key in keys if method == "grid" else ():
         if not key.values:
+    places = reader.files()
             reader.told(f"vary.{key.path}", "has no points of a grid", "add count = N, or write a list")
     if method == "saltelli" and count & (count - 1):
         reader.told("sample.count", "must be a power of 2 for the indices of Sobol", "write 64, 128, 256 ...", count)
@@ -101,7 +102,7 @@ def _read_tables(reader: Reader, computed: bool) -> Recipe:
     recipe = Recipe(
         reader.text, reader.tables, scene, tuple(keys), reader.ordered(links), method, count, seed,
         tuple(verbs), errors, survivors, tuple(figures), reader.constraints(names), reader.objectives(names),
-        _optimise(reader),
+        _optimise(reader), places,
     )  # fmt: skip
     if survivors and not recipe.objectives:
         reader.told("compute.survivors", "nothing says which drives survive", "write [objectives]", survivors)

@@ -44,6 +44,8 @@ class Recipe:
     objectives: Mapping[str, int] = field(default_factory=dict)
     """1: as small as possible, -1: as large as possible."""
     optimise: Mapping[str, Any] = field(default_factory=dict)
+    places: Mapping[str, str] = field(default_factory=dict)
+    """Where the files are that the study names otherwise: its table [files]."""
 
     @property
     def drives(self) -> int:
@@ -89,7 +91,18 @@ class Recipe:
 
     def scene_of(self, linked: Mapping[str, Value]) -> Scene:
         """The scene of a drive; names without a dot are the study's own, and whole values may be counts."""
-        return self.scene.with_({path: _whole(value) for path, value in linked.items() if "." in path})
+        changes = {path: _whole(value) for path, value in linked.items() if "." in path}
+        for path in self.file_paths & changes.keys():
+            changes[path] = self.places.get(str(changes[path]), changes[path])
+        return self.scene.with_(changes)
+
+    @cached_property
+    def file_paths(self) -> frozenset[str]:
+        """Keys under [vary] whose words name files, where the study has a table [files] for these."""
+        words = [(key.path, value) for key in self.keys for value in key.values if value in self.places]
+        first = {path: _whole(value) for path, value in self.first.items() if "." in path}
+        return frozenset(path for path, word in words
+                         if "." in path and path in self.scene.with_({**first, path: word})._core.files)  # fmt: skip
 
     @cached_property
     def varied(self) -> frozenset[str]:
@@ -109,8 +122,9 @@ class Recipe:
 
     @cached_property
     def files(self) -> dict[str, bytes]:
-        """What the files hold that drives and options name, under the names that these give them."""
-        return {**self.data, **self.measured}
+        """What the files hold that drives and options name, under these names and those that the study has for them."""
+        there = {**self.data, **self.measured}
+        return there | {name: there[place] for name, place in self.places.items() if place in there}
 
     @property
     def data(self) -> dict[str, bytes]:
@@ -138,7 +152,7 @@ class Recipe:
 
     def identity(self) -> str:
         """A hash of what decides the rows; of a file its content counts, and not its name."""
-        kept = {name: table for name, table in self.tables.items() if name not in (*_LATER, "scene")}
+        kept = {name: table for name, table in self.tables.items() if name not in (*_LATER, "scene", "files")}
         kept["sample"] = {k: v for k, v in kept.get("sample", {}).items() if k != "count" or self.method == "lhs"}
         kept["compute"] = {k: v for k, v in kept.get("compute", {}).items() if k != "survivors"}
         kept["optimise"] = {k: v for k, v in kept.get("optimise", {}).items() if k != "generations"}

@@ -20,7 +20,7 @@ import hdconj
 
 from .. import _files
 from .._errors import FileError, Fault, InputError, fault_text
-from ._data_files import FOLDER, copies, renamed, scene_text
+from ._data_files import FOLDER, copies, placed, scene_text, with_table
 from ._keys import Value
 from ._recipe import Recipe
 from ._shards import FORMAT, made_folder, read_shards, schema_of, told, write_whole
@@ -134,9 +134,9 @@ class Folder:
             self.part(FOLDER)
         for name, copy in names.items():
             write_whole(self.place / copy, recipe.files[name])
-        scene = renamed(recipe.scene.to_toml(), names)
+        scene = placed(recipe.scene, names).to_toml()
         write_whole(self.place / "scene.toml", scene.encode("utf-8", "surrogateescape"))
-        write_whole(self.place / "study.toml", renamed(_own_scene(recipe), names).encode())
+        write_whole(self.place / "study.toml", with_table(_own_scene(recipe), names).encode())
         return about
 
     def write_scene(self, file: Path, recipe: Recipe, values: Mapping[str, Value]) -> None:

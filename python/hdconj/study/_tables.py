@@ -13,6 +13,7 @@ from typing import Any
 
 from .._errors import Fault
 from .._scene import Scene, toml_text
+from ._data_files import TABLE, placed
 from ._expression import NO_VALUE, Expression, as_name
 from ._faults import fault_at, lines_of, near, written
 from ._keys import LAWS, MOST, Key, is_number, read_key
@@ -44,6 +45,7 @@ class Reader:
         self.lines = lines_of(text)
         self.faults: list[Fault] = []
         self.tables: dict[str, Any] = {}
+        self.places: dict[str, str] = {}
 
     def told(self, path: str, reason: str, remedy: str, value: object = "") -> None:
         """Notes a fault of a key or of a table."""
@@ -118,7 +120,20 @@ class Reader:
             self.told("scene", "is no file name", 'write scene = "FILE.toml" before the first table', given)
             return Scene()
         changes = dict(self.paths("set", flat(self.table("set")).items()))
-        return scene.with_(changes) if changes else scene
+        # of other keys the scene's own file says where files are
+        own = {*changes, *(flat(given) if isinstance(given, dict) else ())}
+        return placed(scene.with_(changes) if changes else scene, self.places, own)
+
+    def files(self) -> dict[str, str]:
+        """Where the files are that the study names: of its folder, the copies there."""
+        table = self.table("files")
+        if "files" in self.tables and not TABLE.search(self.text):
+            self.told("files", "is no table of its own", "write [files] on a line of its own")
+        for name, place in table.items():
+            if not isinstance(place, str):
+                self.told(f"files.{name}", "is no file name", 'write NAME = "FILE.csv"', place)
+        self.places = {name: place for name, place in table.items() if isinstance(place, str)}
+        return self.places
 
     def vary(self) -> tuple[list[Key], dict[str, Expression]]:
         """Keys and links of [vary]."""
@@ -208,7 +223,7 @@ class Reader:
                 self.told(path, "a drive has one case", "write one value, vary the key", value)
         kept = dict(options)
         if (measured := kept.pop("measured", None)) and isinstance(measured, str):
-            kept["measured"] = str(self.folder / measured)
+            kept["measured"] = str(self.folder / self.places.get(measured, measured))
         return kept
 
     def figures(self, verbs: list[str]) -> list[tuple[str, Expression]]:
