@@ -18,7 +18,7 @@ import hdconj
 
 from .. import _core
 from .._errors import FileError, InputError, NumericalError
-from ._expression import NO_VALUE
+from ._expression import NO_VALUE, Expression
 from ._keys import Value
 from ._recipe import Recipe
 
@@ -124,11 +124,15 @@ def compute(recipe: Recipe, values: Mapping[str, Value], errors: bool) -> tuple[
     return row, {**found, **recipe.units}
 
 
-def failure(error: BaseException) -> dict[str, str]:
-    """Code, stage, place and cause of what a drive raised."""
+def failure(error: BaseException, links: Sequence[tuple[str, Expression]] = ()) -> dict[str, str]:
+    """Code, stage, place and cause of what a drive raised; a value of a link that no scene takes is the link's."""
     if isinstance(error, NumericalError):
         return {"code": error.code, "stage": error.stage, "place": error.place, "cause": error.cause}
     if isinstance(error, InputError):
+        for path, link in links:
+            if fault := next((each for each in error.faults if each.path == path and each.kind == "value"), None):
+                cause = f"{link.text} gives {fault.value}: {fault.reason}"
+                return {"code": "link", "stage": "study", "place": path, "cause": cause}
         fault = error.faults[0]
         return {"code": "scene", "stage": "check", "place": fault.path, "cause": fault.reason}
     code = "memory" if isinstance(error, MemoryError) else "file" if isinstance(error, FileError) else "value"
@@ -142,7 +146,7 @@ def row_of(recipe: Recipe, sample: Sample, errors: bool) -> tuple[Row, dict[str,
         row, units = compute(recipe, values, errors)
         return {"sample": number, **row}, units
     except (InputError, NumericalError, FileError, ArithmeticError, ValueError, MemoryError) as error:
-        return {"sample": number, **_known(recipe, values), **failure(error)}, {}
+        return {"sample": number, **_known(recipe, values), **failure(error, recipe.links)}, {}
 
 
 def _known(recipe: Recipe, values: Mapping[str, Value]) -> Row:

@@ -64,6 +64,11 @@ def written(value: object) -> str:
     return text if len(text) <= _LONGEST else text[:_LONGEST] + "..."
 
 
+def short(value: object) -> str:
+    """A value in a sentence: six digits of a number."""
+    return f"{value:.6g}" if isinstance(value, (int, float)) and not isinstance(value, bool) else written(value)
+
+
 def near(word: str, known: Iterable[object]) -> str:
     """What to write in place of a word that is not known."""
     words = list(map(str, known))

@@ -17,7 +17,7 @@ from ._drive import Sample
 from ._engine import SHARD_SECONDS, compute_rows, engine
 from ._faults import refuse
 from ._progress import Told
-from ._read import load_recipe
+from ._read import NO_OBJECTIVES, load_recipe
 from ._recipe import Recipe
 from ._run import compute_survivors, look_for_names, prepare, refuse_machine
 from ._shards import write_whole
@@ -128,7 +128,8 @@ def optimise(
     """
     refuse_machine(jobs, shard_seconds, scheduler)
     given = study if isinstance(study, Recipe) else load_recipe(study)
-    _refuse_unfit(given)
+    if not given.objectives:
+        refuse([Fault("objectives", 0, "", *NO_OBJECTIVES)])
     place, told = Folder(folder), Told()
     with place.locked():
         if place.same(given, "optimise"):
@@ -168,19 +169,6 @@ def _end_of(recipe: Recipe, generation: int) -> str:
     """What is said of a search that has ended before its last generation."""
     options = recipe.optimise
     return f"the search ended after {generation} of {options['generations']} generations: {ENDS[options['method']]}"
-
-
-def _refuse_unfit(recipe: Recipe) -> None:
-    faults = []
-    if not recipe.objectives:
-        faults.append(
-            Fault("objectives", 0, "", "nothing says what is better", 'write [objectives], NAME = "min" or "max"')
-        )
-    if recipe.optimise["method"] == "cmaes" and len(recipe.objectives) > 1:
-        faults.append(
-            Fault("optimise.method", 0, "cmaes", "takes one objective", "write nsga2, or one figure for both")
-        )
-    refuse(faults)
 
 
 def _refuse_other_search(place: Folder, recipe: Recipe) -> None:

@@ -10,23 +10,42 @@ from dataclasses import replace
 from difflib import get_close_matches
 from typing import Any
 
-from .._errors import Fault, NumericalError
+from .._errors import Fault, InputError, NumericalError
 from .._scene import Scene
 from ._expression import Expression
-from ._faults import near
+from ._faults import near, short
 from ._keys import Key, Value
 from ._options import KEYS, judged, single
 from ._recipe import Recipe, flat
 from ._tables import Reader
 
 
-def absent_key(scene: Scene, name: str) -> str:
-    """What to write for a name that is a key of numbers which the scene leaves at its default; empty for others."""
-    for fault in scene.with_({name: "?"}).check() if "." in name else ():
-        if fault.path == name and re.match("write an? (length|angle|number|whole number)", fault.remedy):
-            example = re.search(r"such as \w+ = (.*)", fault.remedy)
-            return "write it under [set]" + (f', such as "{name}" = {example[1]}' if example else "")
+def _wanted(scene: Scene, name: str) -> str:
+    """What the scene's schema says that a key takes, in words; empty where it takes text or there is no such key."""
+    for fault in scene.with_({name: "?"}).check():
+        match = re.match("write (an? (?:length|angle|number|whole number).*)", fault.remedy)
+        if match and fault.path == name:
+            return match[1].split(", such as ")[0]
     return ""
+
+
+def absent_key(scene: Scene, name: str) -> str:
+    """What to do about a name that is a key of numbers which the scene does not have; empty for others.
+
+    No number stands in it: what a key does when it is absent is not always a value of it.
+    """
+    wanted = _wanted(scene, name) if "." in name else ""
+    if not wanted:
+        return ""
+    effects: set[str] = set()
+    with suppress(InputError):  # of a scene that these verbs do not take
+        effects = {each["remedy"] for verb in ("contact", "load") for each in scene.plan(verb).get("absent", ())}
+    words = name.split(".")
+    for table in (".".join(words[:count]) for count in range(1, len(words))):
+        if f"a table [{table}]" in effects:
+            return f"leave the name out: the scene has no [{table}], an effect that this key would switch on"
+    page = "docs/reference/scene.md says what holds while it is absent"
+    return f'write "{name}" under [set], {wanted}; {page}'
 
 
 def ask_names(reader: Reader, scene: Scene, links: Mapping[str, Expression], known: Mapping[str, Any]) -> None:
@@ -56,12 +75,60 @@ def probe(reader: Reader, scene: Scene, recipe: Recipe) -> None:
         place = f"line {fault.line} of {given}: " if fault.line and isinstance(given, str) else "scene "
         line = reader.lines.get(f"set.{fault.path}", reader.lines.get(f"scene.{fault.path}", 0))
         reader.faults.append(fault._replace(path=place + fault.path, line=line))
+    refused: dict[str, tuple[Fault, Mapping[str, Value]]] = {}
+    taken: set[str] = set()
     for key in recipe.keys:
+        if _refuse_no_length(reader, key, recipe):
+            continue
         for value in (*key.probes, *key.between):
             values = _with_links(recipe, {**recipe.first, key.path: value})
-            for fault in recipe.scene_of(values).check():
-                if fault not in own:
-                    _schema_fault(reader, fault, key, values, recipe)
+            faults = [fault for fault in recipe.scene_of(values).check() if fault not in own and fault.kind != "other"]
+            for fault in faults:
+                _schema_fault(reader, fault, key, values, recipe)
+            for path in (path for path, _ in recipe.links if path in values):
+                of_link = next((fault for fault in faults if _is_of(fault, path)), None)
+                if of_link is None:
+                    taken.add(path)
+                else:
+                    refused.setdefault(path, (of_link, values))
+    for path, (fault, values) in refused.items():
+        if path not in taken:
+            _refuse_link(reader, fault, path, values, recipe)
+
+
+def _is_of(fault: Fault, path: str) -> bool:
+    """Whether a fault of a scene is one of a key, or of a table of that key which no scene has."""
+    return fault.path == path or (fault.kind == "unknown" and path.startswith(f"{fault.path}."))
+
+
+def _refuse_no_length(reader: Reader, key: Key, recipe: Recipe) -> bool:
+    """Whether a key has a tolerance of ISO 286 and is no length in mm, of which the scene's schema knows the unit."""
+    if key.law != "nominal":
+        return False
+    scenes = [recipe.scene, *(scene for _, _, scene in recipe.worded())]  # a word may be a family with that key
+    found = [wanted for scene in scenes if (wanted := _wanted(scene, key.path))]
+    if not found or any(wanted.startswith("a length") for wanted in found):
+        return False
+    reason = f"tolerances of ISO 286 are those of lengths in mm, and this key takes {found[0]}"
+    reader.told(f"vary.{key.path}", reason, "write normal = [MEAN, DEVIATION], or from and to")
+    return True
+
+
+def _refuse_link(reader: Reader, fault: Fault, path: str, values: Mapping[str, Value], recipe: Recipe) -> None:
+    """Tells of a link none of whose values, as far as they were tried, is one that its key takes."""
+    text, given = dict(recipe.links)[path].text, values[path]
+    if _wants_whole(path, given, recipe):
+        return  # told already
+    reason, remedy = fault.reason, fault.remedy
+    if fault.kind == "value":
+        names = recipe.varied_of(path)
+        at = " at " * bool(names) + ", ".join(f"{name} = {short(values[name])}" for name in names)
+        reason = f"gives {short(given)}{at}: {reason}"
+        change = f"change the range{'s' * (len(names) > 1)} of {' and '.join(names)}, or the link"
+        remedy = change if names else "change the link"
+        if fault.reason.endswith("belongs"):
+            remedy = "links compute numbers: let this key vary by { list = [A, B] }"
+    reader.told(f"vary.{path}", reason, remedy, text)
 
 
 def _with_links(recipe: Recipe, values: Mapping[str, Value]) -> Mapping[str, Value]:
@@ -127,14 +194,17 @@ def refuse_unused(reader: Reader, recipe: Recipe, base: Mapping[str, Any]) -> No
 
 
 def _schema_fault(reader: Reader, fault: Fault, key: Key, values: Mapping[str, Value], recipe: Recipe) -> None:
-    """Takes over a fault that holds whatever the other keys are; others are drives that cannot be made."""
-    of_key = fault.path == key.path or (fault.kind == "unknown" and key.path.startswith(f"{fault.path}."))
-    if fault.kind == "other" or not (of_key or fault.path in recipe.varied):
+    """Takes over a fault that holds whatever the other keys are; others are drives that cannot be made.
+
+    A link has other values in other drives, but what makes no whole number here makes none there.
+    """
+    of_key = _is_of(fault, key.path)
+    if not (of_key or fault.path in recipe.varied):
         return
     given = values.get(fault.path, fault.value)
     if _wants_whole(fault.path, given, recipe):
         reason, remedy = "takes whole numbers only", _whole_remedy(fault.path, recipe)
-    elif values[key.path] in key.between:
+    elif values[key.path] in key.between or fault.path in dict(recipe.links):
         return  # a drive that cannot be made, as others of the range can
     else:
         reason, remedy, given = fault.reason, fault.remedy, values[key.path] if of_key else fault.value

@@ -20,6 +20,7 @@ from ._tables import Reader
 TABLES = ("scene", "set", "vary", "sample", "compute", "figures", "constraints", "objectives", "optimise", "files")
 OPTIMISERS = ("nsga2", "cmaes", "random")
 LARGEST_SEED = 10**9
+NO_OBJECTIVES = ("nothing says what is better", 'write [objectives], NAME = "min" or "max"')
 
 
 def _sort_of(key: Key) -> Value:
@@ -36,6 +37,17 @@ def _optimise(reader: Reader) -> dict[str, Any]:
         "generations": reader.count(table, "optimise.generations", 25, 1, MOST // population),
         "seed": reader.count(table, "optimise.seed", 1, most=LARGEST_SEED),
     }
+
+
+def _refuse_unfit_search(reader: Reader, recipe: Recipe) -> None:
+    """A table [optimise] that no search can follow, whatever the study is read for."""
+    if "optimise" not in reader.tables:
+        return
+    if not recipe.objectives and not reader.table("objectives"):
+        reader.told("optimise", *NO_OBJECTIVES)
+    if recipe.optimise["method"] == "cmaes" and len(recipe.objectives) > 1:
+        reason = f"takes one objective, not {', '.join(recipe.objectives)}"
+        reader.told("optimise.method", reason, "write nsga2, or one figure for both", "cmaes")
 
 
 def _refuse_too_many(reader: Reader, method: str, count: int, keys: tuple[Key, ...]) -> None:
@@ -78,6 +90,7 @@ def _read_tables(reader: Reader, computed: bool) -> Recipe:
     for name in reader.tables:
         if name not in TABLES:
             reader.told(name, "unknown table", near(name, TABLES))
+    places = reader.files()
     scene = reader.base()
     keys, links = reader.vary()
     if not keys and links:
@@ -90,7 +103,6 @@ def _read_tables(reader: Reader, computed: bool) -> Recipe:
     _refuse_too_many(reader, method, count, tuple(keys))
     for key in keys if method == "grid" else ():
         if not key.values:
-    places = reader.files()
             reader.told(f"vary.{key.path}", "has no points of a grid", "add count = N, or write a list")
     if method == "saltelli" and count & (count - 1):
         reader.told("sample.count", "must be a power of 2 for the indices of Sobol", "write 64, 128, 256 ...", count)
@@ -114,6 +126,7 @@ def _read_tables(reader: Reader, computed: bool) -> Recipe:
     probe(reader, scene, recipe)
     if not computed:
         refuse_overridden(reader, recipe)
+        _refuse_unfit_search(reader, recipe)
     if base := _tables_of(scene):
         ask_names(reader, scene, links, {**base, **{key.path: _sort_of(key) for key in keys}})
         if not computed:
@@ -143,6 +156,7 @@ def read_recipe(
     InputError
         With every fault; nothing has been computed.
     """
+    text = text.removeprefix("\ufeff")  # a byte order mark, which scenes may begin with too
     reader = Reader(text, name, Path(folder))
     try:
         reader.tables = tomllib.loads(text)
@@ -157,7 +171,6 @@ def read_recipe(
 
 def load_recipe(file: str | os.PathLike[str], computed: bool = False) -> Recipe:
     """Read a study from a file; see :func:`read_recipe`."""
-    text = text.removeprefix("\ufeff")  # a byte order mark, which scenes may begin with too
     try:
         text = Path(file).read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:

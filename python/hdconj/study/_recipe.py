@@ -109,6 +109,15 @@ class Recipe:
         """Keys and names that vary, links included."""
         return frozenset((*(key.path for key in self.keys), *(path for path, _ in self.links)))
 
+    def varied_of(self, link: str) -> list[str]:
+        """Keys that vary from which a link is computed, by way of other links too."""
+        links, found, left = dict(self.links), set[str](), [link]
+        while left:
+            names = links[left.pop()].names
+            left += [name for name in names if name in links and name not in found]
+            found.update(names)
+        return [key.path for key in self.keys if key.path in found]
+
     @cached_property
     def figure_names(self) -> frozenset[str]:
         """What the expressions under [figures] read."""
