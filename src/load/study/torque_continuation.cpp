@@ -83,10 +83,9 @@ void require_within_pitch(LoadProblem const& problem, double torque, double turn
                              smaller_torque);
 }
 
-/// The drive after an attempt.
+/// What an attempt came to.
 struct AttemptResult
 {
-    LoadedDrive drive;
     bool converged;
     double mismatch;  ///< of the gaps [mm]
 };
@@ -98,7 +97,8 @@ void reshape(LoadProblem const& problem, double turn, LoadedDrive& now, SearchRe
     follow_step(problem, std::move(before), turn, now, reach);
 }
 
-/// Forces on the contacts of @p at under @p torque; the shape of @p now stays.
+/// Forces on the contacts of @p at under @p torque; the shape of @p now stays. Where they cannot be solved for, all of
+/// @p now stays.
 void solve_forces(LoadProblem const& problem, double torque, Linearisation& at, LoadedDrive& now)
 {
     now.state = solved_linear(problem, now, torque, at);
@@ -108,7 +108,21 @@ void solve_forces(LoadProblem const& problem, double torque, Linearisation& at, 
     now.forces = forces_on_cup(problem.drive, now.contacts, now.state);
 }
 
-AttemptResult attempted(LoadProblem const& problem, double torque, Attempt const& attempt, LoadedDrive now)
+/// As solve_forces(). @returns false where no solution was found: other contacts may have one
+bool forces_found(LoadProblem const& problem, double torque, Linearisation& at, LoadedDrive& now)
+{
+    try {
+        solve_forces(problem, torque, at, now);
+    } catch (NumericalError const& error) {
+        if (error.code() != ErrorCode::not_converged)
+            throw;
+        return false;
+    }
+    return true;
+}
+
+/// Goes on from @p now, which is the last state that was found.
+AttemptResult attempted(LoadProblem const& problem, double torque, Attempt const& attempt, LoadedDrive& now)
 {
     constexpr std::size_t depth = 5;        // of the history
     constexpr double near_tolerance = 3;    // multiple of the tolerance
@@ -131,7 +145,7 @@ AttemptResult attempted(LoadProblem const& problem, double torque, Attempt const
                 widen(problem, search_of(problem, attempt.choice, reach.turn, search_limit(problem)), reach, now);
                 if (attempt.choice == ContactChoice{})
                     now.found = std::move(reach);
-                return {std::move(now), true, mismatch};
+                return {true, mismatch};
             }
             // Only forces that were not mixed are a result: near the end every other iteration does not mix.
             mixed =
@@ -145,7 +159,8 @@ AttemptResult attempted(LoadProblem const& problem, double torque, Attempt const
             } else if (iteration >= attempt.first_mixing + patience && iteration - at_least > patience)
                 break;
         }
-        solve_forces(problem, torque, at, now);
+        if (!forces_found(problem, torque, at, now))
+            break;
         if (iteration >= first_check_of_turn)
             require_within_pitch(problem, torque, now.state.turn);
         if (iteration >= attempt.first_mixing - 1)
@@ -157,27 +172,34 @@ AttemptResult attempted(LoadProblem const& problem, double torque, Attempt const
             anderson_mix(history, now);
         reshape(problem, at.gaps.turn, now, reach);
     }
-    return {std::move(now), false, last};
+    return {false, last};
 }
 
 }  // namespace
 
 LoadedDrive converged_at(LoadProblem const& problem, double torque, LoadedDrive const& start)
 {
-    AttemptResult result{start, false, 0};
-    result.drive.torque = torque;
-    result.drive.iterations = result.drive.steps = 0;
+    LoadedDrive drive = start;
+    drive.torque = torque;
+    drive.iterations = drive.steps = 0;
+    double mismatch = std::numeric_limits<double>::infinity();
     for (Attempt const& attempt : attempts) {
-        at_torque(torque, [&] { result = attempted(problem, torque, attempt, std::move(result.drive)); });
+        AttemptResult result{};
+        at_torque(torque, [&] { result = attempted(problem, torque, attempt, drive); });
         if (result.converged)
-            return std::move(result.drive);
+            return drive;
+        if (std::isfinite(result.mismatch))
+            mismatch = result.mismatch;
     }
-    throw NumericalError(ErrorCode::not_converged, "load", place_of(torque),
-                         "forces and loaded shape do not converge: after " + std::to_string(result.drive.iterations) +
-                             " iterations gaps still differ by " + short_number(result.mismatch * per_um) + " um",
-                         problem.drive.flow_pressure < std::numeric_limits<double>::infinity()
-                             ? "write a larger flow.pressure, or remove [flow]"
-                             : "write a larger load.edge_radius, or another circular_spline.backlash_offset");
+    std::string const how_far = std::isfinite(mismatch)
+                                    ? "gaps still differ by " + short_number(mismatch * per_um) + " um"
+                                    : "no forces are in balance";
+    throw NumericalError(
+        ErrorCode::not_converged, "load", place_of(torque),
+        "forces and loaded shape do not converge: after " + std::to_string(drive.iterations) + " iterations " + how_far,
+        problem.drive.flow_pressure < std::numeric_limits<double>::infinity()
+            ? "write a larger flow.pressure, or remove [flow]"
+            : "write a larger load.edge_radius, or another circular_spline.backlash_offset");
 }
 
 double turn_near(LoadProblem const& problem, double torque, LoadedDrive const& start)

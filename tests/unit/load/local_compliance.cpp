@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
 /// What teeth give way by in themselves, and edges that are round.
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
 
 #include "load/hertz.hpp"
+#include "load/local_compliance.hpp"
 #include "load/round_edges.hpp"
 #include "load/tooth_bending.hpp"
 #include "support/catch.hpp"
@@ -94,6 +97,48 @@ TEST_CASE("a strip gives way beside itself as a half-plane under a line load doe
         last = load::approach_beside(c, x, a);
     }
     CHECK(approach_beside(c, 10, a) >= 0);
+}
+
+TEST_CASE("strips of one flank give way as a body does, however close they are", "[load]")
+{
+    // forces on a body do work, whatever they are: the matrix of its compliance is positive definite
+    constexpr double force = 100;
+    load::ElasticDrive drive;
+    drive.flexspline = drive.circular_spline = steel;
+    drive.contact_depth = 0.2;
+    drive.slice_width = {1};
+    load::FlankContact strip;
+    strip.curvature = 5;
+    double const a = load::half_width(drive.line_contact(strip), force);
+    for (int const count : {2, 3, 5})
+        for (double const spacing : {0.01, 0.15, 0.25, 0.4, 2.0}) {
+            CAPTURE(count, spacing);
+            std::vector<load::FlankContact> strips;
+            for (int i = 0; i < count; ++i) {
+                strips.push_back(strip);
+                strips.back().arc_length = 0.3 + i * spacing * a;
+            }
+            // a strip of another flank does not feel them
+            strips.push_back(strip);
+            strips.back().slice = 0;
+            strips.back().flank = 1;
+            load::LocalCompliance const c =
+                load::local_compliance(drive, strips, std::vector<double>(strips.size(), force));
+            double const alone = load::approach(drive.line_contact(strip), force) / force;
+            CHECK(c.own.back() == Approx(alone).epsilon(1e-14));
+            Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count, count);
+            for (int i = 0; i < count; ++i)
+                matrix(i, i) = c.own[static_cast<std::size_t>(i)];
+            for (auto const& [first, second, compliance] : c.couplings)
+                matrix(static_cast<int>(first), static_cast<int>(second)) =
+                    matrix(static_cast<int>(second), static_cast<int>(first)) = compliance;
+            double const least =
+                Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues().minCoeff();
+            CHECK(least > 1e-7 * alone);
+            CHECK(matrix.diagonal().maxCoeff() < 1.1 * alone);
+            if (spacing == 2 || (count == 2 && spacing > 0.3))
+                CHECK(matrix(0, 0) == Approx(alone).epsilon(1e-14));
+        }
 }
 
 TEST_CASE("circles roll from the flank onto the land", "[load]")
