@@ -22,6 +22,14 @@ std::string processor()
     return "unknown";
 }
 
+/// Gives @p to what @p from has along the axis.
+void give_axis(Scene const& from, Scene& to)
+{
+    to.coning = from.coning;
+    to.slices = from.slices;
+    to.tilt = from.tilt;
+}
+
 /// One run of all studies that are wanted.
 class Measuring
 {
@@ -35,7 +43,7 @@ class Measuring
         report_.machine = processor();
         chosen_ = accuracy::wanted(report_.scene, options, notes_);
         flat_ = report_.scene;
-        flat_.coning.reset();
+        give_axis({}, flat_);
     }
 
     AccuracyReport operator()()
@@ -137,7 +145,7 @@ class Measuring
         say(name, scene_share_ + (1 - scene_share_) * report_.sample / options_.sample);
         ++report_.sample;
         Scene coned = one.scene;
-        coned.coning = report_.scene.coning;
+        give_axis(report_.scene, coned);
         for (std::size_t k = 0; k < chosen_.size(); ++k) {
             try {
                 accuracy::run_study(chosen_[k], one, {report_, notes_, one.scene, name, 1, options_.quick, true, 1},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,7 +16,8 @@
 namespace hdconj::accuracy {
 namespace {
 
-/// The scene as `contact` is asked for it, with an axis where it has none.
+/// The scene as `contact` is asked for it, with its own tooth surface; with an axis and an outline per slice where it
+/// has none.
 Scene coned(StudyRun const& bench)
 {
     Scene scene = bench.scene;
@@ -26,15 +28,16 @@ Scene coned(StudyRun const& bench)
         scene.coning->bottom_to_middle = 9.0 / 7.0 * width;  // as type-50 stands in its cup
         scene.coning->axial_shift = AxialShift::mapped;
     }
-    scene.tilt.reset();
-    scene.slices.emplace();
-    scene.slices->surface = ToothSurface::per_slice;
+    take_surface(scene);
     if (!scene.contact) {
         scene.contact.emplace();
         scene.contact->gap = 0x1p-10;
     }
     return scene;
 }
+
+constexpr char const* slice_knob = "slices.count";
+constexpr char const* point_knob = "contact.flank_points";
 
 struct Setting
 {
@@ -84,18 +87,20 @@ AreaReference by_planes(StudyRun const& bench, Scene scene, int planes, int poin
                     });
 }
 
-/// Fifty times the flank points of the finest tested, in the same planes; half as many say what they leave open: of
-/// second order that is three times its error.
-AreaReference by_points(StudyRun const& bench, Scene const& scene, int slices, int points)
+/// The area with @p count of what @p knob counts, far more than the finest tested; half as many say what they leave
+/// open: of second order that is three times its error.
+AreaReference by_count(StudyRun const& bench, Scene const& scene, char const* knob, int count, int other)
 {
-    return found_by(
-        bench,
-        area_record("reference: flank points", "contact.flank_points", points, static_cast<double>(slices) * points),
-        [&] {
-            double const all = area(scene, {slices, points}).contact_area,
-                         half = area(scene, {slices, points / 2}).contact_area;
-            return std::pair(all, std::abs(all - half));
-        });
+    bool const slices = std::string_view(knob) == slice_knob;
+    auto const setting = [&](int value) { return slices ? Setting{value, other} : Setting{other, value}; };
+    return found_by(bench,
+                    area_record(slices ? "reference: slices" : "reference: flank points", knob, count,
+                                static_cast<double>(count) * other),
+                    [&] {
+                        double const all = area(scene, setting(count)).contact_area,
+                                     half = area(scene, setting((count + 1) / 2)).contact_area;
+                        return std::pair(all, std::abs(all - half));
+                    });
 }
 
 /// One series: a knob, what is tried, and the other count, which stays.
@@ -130,19 +135,23 @@ void measure(StudyRun const& bench, Scene const& scene, Series const& series)
     bench.keep(reference.record);
     std::string const part =
         reference.record.error > 0 ? short_number(std::floor(finest / reference.record.error)) : "infinity";
+    std::string const of_what = !series.slices ? " of them in the same planes"
+                                : reference.record.knob == slice_knob
+                                    ? " of them"
+                                    : " planes with edges of contact as roots, and no cells between them";
     bench.note("contact-area", "no reference in 50 digits; " + std::string(series.method) + " are compared with " +
-                                   short_number(reference.record.value) +
-                                   (series.slices ? " planes with edges of contact as roots, and no cells between them"
-                                                  : " of them in the same planes") +
-                                   ", whose own error is " + short_number(reference.record.error) + " mm^2, 1/" + part +
-                                   " of the finest tested");
+                                   short_number(reference.record.value) + of_what + ", whose own error is " +
+                                   short_number(reference.record.error) + " mm^2, 1/" + part + " of the finest tested");
 }
 
 void run_area_series(StudyRun const& bench)
 {
     Scene scene = coned(bench);
     scene.solver.threads = bench.threads;
-    if (scene.circular_spline.backlash_offset != 0) {
+    note_surface(bench, "contact-area", scene);
+    // only outlines per slice, as they stand, have a reference that needs no slices
+    bool const has_planes = scene.slices->surface == ToothSurface::per_slice && !(scene.tilt && scene.tilt->angle != 0);
+    if (has_planes && scene.circular_spline.backlash_offset != 0) {
         bench.note("contact-area", "backlash_offset left out: measured where conjugate flanks touch");
         scene.circular_spline.backlash_offset = 0;
     }
@@ -154,10 +163,12 @@ void run_area_series(StudyRun const& bench)
     Lengths const full{{2, 3, 5, 9, 17}, {12, 25, 50, 100}, 1025, 100, 50, 5000};
     Lengths const of_sample{{3, 9}, {12, 25, 50}, 513, 50, 50, 2500}, of_quick{{2, 3}, {10, 20}, 257, 20, 40, 1000};
     Lengths const& n = bench.quick ? of_quick : bench.sampled ? of_sample : full;
+    AreaReference const of_slices = has_planes
+                                        ? by_planes(bench, scene, n.planes, n.few)
+                                        : by_count(bench, scene, slice_knob, n.planes / 8 + 1, n.points_of_slices);
+    measure(bench, scene, {"slices", slice_knob, n.slices, true, n.points_of_slices, of_slices});
     measure(bench, scene,
-            {"slices", "slices.count", n.slices, true, n.points_of_slices, by_planes(bench, scene, n.planes, n.few)});
-    measure(bench, scene,
-            {"flank points", "contact.flank_points", n.points, false, 3, by_points(bench, scene, 3, n.many)});
+            {"flank points", point_knob, n.points, false, 3, by_count(bench, scene, point_knob, n.many, 3)});
 }
 
 }  // namespace

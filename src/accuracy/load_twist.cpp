@@ -184,8 +184,9 @@ void study_load_twist(StudyRun const& bench)
     Scene scene = bench.scene;
     scene.solver.threads = bench.threads;
     scene.coning.reset();
+    take_surface(scene);
     scene = loaded_scene(scene);
-    scene.slices->surface = ToothSurface::per_slice;
+    note_surface(bench, "load", scene);
     if (!scene.contact) {
         scene.contact.emplace();
         scene.contact->gap = 0x1p-10;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study_bench.hpp"
 
+#include <fmt/format.h>
+
 #include <cstdlib>  // defines __GLIBC__ where that is the library
 #include <fstream>
 #include <sstream>
 
+#include "hdconj/units.hpp"
 #include "scene/tolerance_limits.hpp"
 
 #if defined(__GLIBC__)
@@ -32,6 +35,20 @@ double peak_memory()
             return kilobytes / 1024;
     }
     return not_measured;
+}
+
+void take_surface(Scene& scene)
+{
+    if (!scene.slices)
+        scene.slices = Slices{1, scene.tilt ? ToothSurface::tilted : ToothSurface::per_slice};
+}
+
+void note_surface(StudyRun const& bench, std::string const& study, Scene const& scene)
+{
+    bench.note(study, fmt::format("tooth surface \"{}\"{}", to_string(scene.slices->surface),
+                                  scene.tilt ? fmt::format(", {} {:g} deg", to_string(scene.tilt->kind),
+                                                           to_deg(scene.tilt->angle))
+                                             : ""));
 }
 
 double power_of_ten(int digits)

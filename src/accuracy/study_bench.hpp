@@ -145,6 +145,11 @@ void study_contact_area(StudyRun const& bench);
 void study_load_twist(StudyRun const& bench);
 void study_threads(StudyBench const& bench);
 
+/// Gives @p scene an outline per slice where it names no tooth surface; else it keeps its surface and the tilt of it.
+void take_surface(Scene& scene);
+/// Says of @p study which tooth surface @p scene has.
+void note_surface(StudyRun const& bench, std::string const& study, Scene const& scene);
+
 /// What a scene gives too little of for these studies; empty: nothing.
 [[nodiscard]] std::string lacks_for_contact(Scene const& scene);
 [[nodiscard]] std::string lacks_for_load(Scene const& scene);

@@ -177,21 +177,16 @@ namespace hdconj::accuracy {
 Scene plain(Scene const& scene, std::vector<StudyNote>& notes)
 {
     Scene plain = scene;
-    auto const leave_out = [&](bool there, char const* what) {
-        if (there)
-            notes.push_back(
-                {"",
-                 std::string(what) +
-                     " left out: the studies are of one plane, and contact-area and load have slices of their own"});
-    };
-    leave_out(scene.tilt.has_value(), "[tilt]");
-    leave_out(scene.slices.has_value(), "[slices]");
+    if (scene.slices || scene.tilt)
+        notes.push_back({"", std::string(!scene.tilt     ? "[slices]"
+                                         : !scene.slices ? "[tilt]"
+                                                         : "[slices] and [tilt]") +
+                                 " left out of outlines, which are measured in one plane; contact-area and load have "
+                                 "the tooth surface of the scene, and counts of slices of their own"});
     if (scene.coning)
         notes.push_back({"",
                          "[coning] left out: outlines are measured in the middle plane of a ring, from which an "
                          "elastic cup differs slightly; contact-area has the coning, load the elastic cup instead"});
-    plain.tilt.reset();
-    plain.slices.reset();
     if (scene.circular_spline.root_clearance > 0)
         notes.push_back({"", "root_clearance left out: it is the difference of two given lengths"});
     plain.circular_spline.root_clearance = 0;
@@ -249,7 +244,7 @@ void run_study(Study const& study, Case const& drive, StudyRun const& run, Scene
         return {run.report, run.notes, scene, run.name, run.repeats, run.quick, run.sampled, threads};
     };
     if (!has_outline(study))
-        return study.axial(of(study.axial == study_contact_area ? coned : drive.scene, run.report.threads));
+        return study.axial(of(coned, run.report.threads));
     Measured const& against = drive.against(study);
     study.outline({of(against.drive.scene, run.threads), against.drive, against.reference});
 }

@@ -42,8 +42,8 @@ struct Study
 /// One fault for each study that has been left out, where all of them have been.
 [[nodiscard]] Faults nothing_measured(std::vector<Study> const& chosen, std::vector<StudyNote> const& notes);
 
-/// The drive that is measured: nothing along the axis, nothing cut away that no tooth has touched. What is left out is
-/// said in @p notes.
+/// The drive that is measured: nothing cut away that no tooth has touched, no side clearance that is solved for. What
+/// is left out of it, or of all studies of one plane, is said in @p notes.
 [[nodiscard]] Scene plain(Scene const& scene, std::vector<StudyNote>& notes);
 
 /// A drive taken apart, with its reference.

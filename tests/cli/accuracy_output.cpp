@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `hdconj accuracy` as a user meets it: folder, streams, exit statuses, stored records, advice.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "hdconj/units.hpp"
 #include "hdconj_run.hpp"
 #include "support/catch.hpp"
 
@@ -182,6 +185,30 @@ TEST_CASE("accuracy: drives of every kind are measured, and what a scene has no 
     auto const axial = accuracy("--quick --sample 0 --study contact-area -o axial", folder);
     CHECK(axial.status == 0);
     CHECK_THAT(axial.out, !ContainsSubstring("50 digits by another method") && ContainsSubstring("slices"));
+}
+
+TEST_CASE("accuracy measures the tooth surface of the scene", "[accuracy]")
+{
+    TemporaryFolder const folder;
+    std::string const set = " --set slices.count=3 --set slices.surface=tilted";
+    auto const study = accuracy("--quick --sample 0 --study contact-area,load --json -o study" + set, folder);
+    REQUIRE(study.status == 0);
+    json const report = json::parse(study.out);
+    std::string notes;
+    for (auto const& note : report.at("notes"))
+        notes += note.get<std::string>() + "\n";
+    CHECK_THAT(notes, ContainsSubstring("load: tooth surface \"tilted\"\n") &&
+                          ContainsSubstring("contact-area: tooth surface \"tilted\"\n"));
+    // the finest grid of the study is that of a run of `load`
+    auto const load = hdconj::test::hdconj_run(
+        "load --no-curve --no-errors --json -o load.h5 --quiet"
+        " --set load.harmonics=64 --set contact.flank_points=24"
+        " --set bearing.circles=2" +
+            set,
+        folder.path());
+    REQUIRE(load.status == 0);
+    double const twist = json::parse(load.out).at("load").at("cases").at(0).at("rated").at("twist_arcmin");
+    CHECK_THAT(notes, ContainsSubstring(fmt::format("whose twist is {:.3g} rad", twist * arcmin)));
 }
 
 TEST_CASE("accuracy: bad input is answered with what to write", "[accuracy]")
