@@ -211,10 +211,10 @@ int count_error(int fine, std::span<int const> coarser, int sectors, double safe
     return std::max(sectors, static_cast<int>(std::ceil(factor * safety * std::max(next, before))));
 }
 
-double stress_error(double fine, std::span<double const> coarser, double unresolved, double safety)
+double stress_error(double fine, std::span<double const> coarser, double unresolved, double of_slices, double safety)
 {
-    constexpr double part = 0.5, least = 0.08;
-    return std::max(part * (safety * grid_difference(fine, coarser) + unresolved), least * fine);
+    constexpr double part = 0.5, least = 0.08, slices = 1.5;
+    return std::max({part * (safety * grid_difference(fine, coarser) + unresolved), slices * of_slices, least * fine});
 }
 
 void estimate_errors(contact::ContactContext const& context, DriveGrids const& drives, AssembledCup& cup)
@@ -251,7 +251,7 @@ void estimate_errors(contact::ContactContext const& context, DriveGrids const& d
     cup.ball_force_error = ball * safety * std::max(grid_difference(0, balls), difference(&AssembledCup::ball_force));
     std::vector<double> stress(coarser.size());
     std::ranges::transform(coarser, stress.begin(), &AssembledCup::largest_stress);
-    cup.largest_stress_error = stress_error(cup.largest_stress, stress, cup.largest_stress_error, safety);
+    cup.largest_stress_error = stress_error(cup.largest_stress, stress, cup.largest_stress_error, 0, safety);
     cup.estimated = true;
 }
 

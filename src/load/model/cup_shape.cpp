@@ -96,6 +96,24 @@ elastic::HarmonicField cup_field(LoadModel const& model, Eigen::MatrixXd const& 
     return elastic::harmonic_field(*model.unit, even, odd, threads);
 }
 
+Eigen::MatrixXd spread_over_slices(DriveStations const& stations, Eigen::MatrixXd const& forces)
+{
+    constexpr double of_end = 1.0 / 4, of_inner = 1.0 / 24;  // to a neighbour
+    Eigen::MatrixXd result = forces;
+    auto const move = [&](std::size_t from, std::size_t to, double part) {
+        auto const moved = part * forces.row(static_cast<Eigen::Index>(from));
+        result.row(static_cast<Eigen::Index>(from)) -= moved;
+        result.row(static_cast<Eigen::Index>(to)) += moved;
+    };
+    std::size_t const last = stations.slices - 1;
+    for (std::size_t const first : {stations.radial(0), stations.tangential(0), stations.axial(0), stations.turn(0)})
+        for (std::size_t k = 0; k < last; ++k) {
+            move(first + k, first + k + 1, k == 0 ? of_end : of_inner);
+            move(first + k + 1, first + k, k + 1 == last ? of_end : of_inner);
+        }
+    return result;
+}
+
 CupShape cup_shape(LoadModel const& model, elastic::HarmonicField const& field, int threads)
 {
     constexpr int angles = 180;

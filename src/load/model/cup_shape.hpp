@@ -13,6 +13,12 @@ namespace hdconj::load {
 /// Displacement of the whole cup under forces on the drive's stations.
 [[nodiscard]] elastic::HarmonicField cup_field(LoadModel const& model, Eigen::MatrixXd const& forces, int threads);
 
+/// @p forces on the drive's stations with each force of a tooth spread over the face width that its slice stands for,
+/// by its mean and its mean square along the axis. Of the slice at an end a quarter comes to the next one: it stands
+/// for half a distance inward, while all of its force acts at the end itself. From an inner slice 1/24 comes to either
+/// side. What that changes of a figure tells how far it depends on forces being in slices.
+[[nodiscard]] Eigen::MatrixXd spread_over_slices(DriveStations const& stations, Eigen::MatrixXd const& forces);
+
 /// The cup at 180 angles as it is drawn; the stress at a corner is the mean of the elements around it.
 [[nodiscard]] CupShape cup_shape(LoadModel const& model, elastic::HarmonicField const& field, int threads);
 

@@ -151,8 +151,8 @@ BranchWithErrors solve_curve(contact::ContactContext const& context, PathsOnGrid
 }
 
 /// Enters the largest stress at the largest torque and its error, as far as @p coarser know their forces.
-void enter_stress(contact::ContactContext const& context, DriveGrids const& drives, elastic::HarmonicField const& field,
-                  std::vector<CoarseBranch> const& coarser, LoadCase& result)
+void enter_stress(contact::ContactContext const& context, DriveGrids const& drives, LoadedDrive const& loaded,
+                  elastic::HarmonicField const& field, std::vector<CoarseBranch> const& coarser, LoadCase& result)
 {
     LoadModel const& model = drives.fine.model;
     CupStress const stress = cup_stress(model, field, context.threads);
@@ -169,8 +169,11 @@ void enter_stress(contact::ContactContext const& context, DriveGrids const& driv
         elastic::HarmonicField const other = cup_field(coarse, coarser[g].last->forces, context.threads);
         others.push_back(cup_stress(coarse, other, context.threads).peak.stress);
     }
-    result.error.largest_stress =
-        stress_error(stress.peak.stress, others, stress.unresolved, grid_safety(model.drive.slice_z.size()));
+    Eigen::MatrixXd const spread = spread_over_slices(model.drive.stations, loaded.forces);
+    double const of_slices =
+        stress.peak.stress - cup_stress(model, cup_field(model, spread, context.threads), context.threads).peak.stress;
+    result.error.largest_stress = stress_error(stress.peak.stress, others, stress.unresolved, std::abs(of_slices),
+                                               grid_safety(model.drive.slice_z.size()));
     result.curve_error[result.rated]->largest_stress = result.error.largest_stress;
 }
 
@@ -213,7 +216,7 @@ SolvedCase load_case(contact::ContactContext const& context, DriveGrids const& d
         result.error = *result.curve_error[result.rated];
     enter_force_errors(paths, drives, rated.coarser, result);
     elastic::HarmonicField field = cup_field(fine.model, rated.branch.last.forces, context.threads);
-    enter_stress(context, drives, field, rated.coarser, result);
+    enter_stress(context, drives, rated.branch.last, field, rated.coarser, result);
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     LoadedTeeth teeth;
     if (!problem.deviation)
