@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "bad_commands.hpp"
+#include "hdconj/error.hpp"
 #include "hdconj/load.hpp"
 #include "hdconj/read_scene.hpp"
 #include "hdconj/units.hpp"
@@ -136,6 +137,27 @@ TEST_CASE("load called as a library has the limits of the command line", "[load]
         options.points = points;
         CHECK(check_load(scene, options).size() == 1);
     }
+}
+
+TEST_CASE("load of a drive that cannot be assembled advises what lets it be assembled", "[load]")
+{
+    // few balls with clearance leave the cup another shape than the teeth were made for, on every surface
+    std::vector<std::string> set{"bearing.balls=13", "bearing.clearance=0.03"};
+    LoadOptions options;
+    options.curve = options.errors = false;
+    options.surfaces = {ToothSurface::per_slice};
+    try {
+        (void)study_load(builtin_scene(set), options);
+        FAIL("it can be assembled");
+    } catch (NumericalError const& error) {
+        INFO(error.what());
+        CHECK(error.code() == ErrorCode::interference);
+        CHECK_THAT(error.remedy(),
+                   ContainsSubstring("circular_spline.backlash_offset = ") && !ContainsSubstring("per-slice"));
+        REQUIRE(error.set().size() == 1);
+        set.push_back(error.set().front());
+    }
+    CHECK(study_load(builtin_scene(set), options).cases.size() == 1);
 }
 
 TEST_CASE("load of a reverse scene is refused", "[load][reverse]")

@@ -196,16 +196,31 @@ std::optional<Cleared> try_nominal_part(CaseSurface const& surface, SliceClearan
     }
 }
 
-FlankSurface flank_surface(ContactContext const& context, surface::SurfaceSpec const& spec, bool clearing)
+namespace {
+
+FlankSurface surface_of(CaseSurface const& surface, Cleared part, double given)
 {
-    CaseSurface const surface(context, spec);
-    double const given = given_clearance(context.scene);
-    bool const clears = context.scene.circular_spline.automatic_backlash || clearing;
-    Cleared part = clears ? clear_flanks(surface, SliceClearances(context), given)
-                          : nominal_part(surface, given, std::max(surface.nominal_tip_radius(), surface.needed_tip()));
     double const offset = std::max(given, part.offset);
     FlankGrid grid = made_flanks(surface, part.flanks.grid, part.tip, offset);
     return {std::move(part.outline), std::move(grid), offset, part.tip};
+}
+
+}  // namespace
+
+FlankSurface flank_surface(ContactContext const& context, surface::SurfaceSpec const& spec, bool clearing)
+{
+    double const given = given_clearance(context.scene);
+    if (!context.scene.circular_spline.automatic_backlash && !clearing)
+        return surface_with_clearance(context, spec, given);
+    CaseSurface const surface(context, spec);
+    return surface_of(surface, clear_flanks(surface, SliceClearances(context), given), given);
+}
+
+FlankSurface surface_with_clearance(ContactContext const& context, surface::SurfaceSpec const& spec, double clearance)
+{
+    CaseSurface const surface(context, spec);
+    double const tip = std::max(surface.nominal_tip_radius(), surface.needed_tip());
+    return surface_of(surface, nominal_part(surface, clearance, tip), clearance);
 }
 
 }  // namespace hdconj::contact

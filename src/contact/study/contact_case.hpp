@@ -26,6 +26,10 @@ struct FlankSurface
 [[nodiscard]] FlankSurface flank_surface(ContactContext const& context, surface::SurfaceSpec const& spec,
                                          bool clearing = false);
 
+/// flank_surface() of a scene that gives the side clearance @p clearance [mm].
+[[nodiscard]] FlankSurface surface_with_clearance(ContactContext const& context, surface::SurfaceSpec const& spec,
+                                                  double clearance);
+
 /// The flanks that contact_case() computes with: the scene's where these clear over a full turn and at the scene's
 /// angle of the wave generator, else those that do.
 [[nodiscard]] FlankSurface used_surface(ContactContext const& context, surface::SurfaceSpec const& spec);

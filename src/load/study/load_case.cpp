@@ -22,19 +22,61 @@
 namespace hdconj::load {
 namespace {
 
-/// Refuses a surface whose teeth interfere at every turn. What to write depends on what the scene says already.
-[[noreturn]] void refuse_assembly(Scene const& scene, surface::SurfaceSpec const& choice, double side_clearance)
+/// Whether the assembled teeth have a play on @p surface; not where it cannot be made.
+template <class Surface>
+bool can_be_assembled(contact::ContactContext const& context, AssembledDrive const& drive, Surface const& surface)
 {
-    bool const in_planes = scene.coning && !scene.maps_axial_shift();
-    std::string const advice =
-        in_planes ? "axial_shift = \"mapped\" in [coning], since the cup's sections do not stay in their planes"
-        : choice.surface != ToothSurface::per_slice ? "surface = \"per-slice\" in [slices]"
-                                                    : "a larger circular_spline.backlash_offset";
+    try {
+        contact::FlankSurface const made = surface();
+        return play_of(load_problem(context, drive.model.drive, made.grid), drive.unloaded.shape).has_value();
+    } catch (NumericalError const& error) {
+        error.rethrow_unless_infeasible();
+        return false;
+    }
+}
+
+/// A side clearance above @p tried with which the teeth can be assembled, as one would write it [mm].
+std::optional<double> enough_clearance(contact::ContactContext const& context, AssembledDrive const& drive,
+                                       surface::SurfaceSpec const& choice, double tried)
+{
+    double const module = context.scene.drive.module;
+    constexpr double first = 0.01, largest = 0.32;  // steps, of the module
+    double const digit = std::pow(10, std::floor(std::log10(module)) - 2);
+    for (double step = first; step <= largest; step *= 2) {
+        double const clearance = std::ceil((tried + step * module) / digit) * digit;
+        if (can_be_assembled(context, drive,
+                             [&] { return contact::surface_with_clearance(context, choice, clearance); }))
+            return clearance;
+    }
+    return std::nullopt;
+}
+
+/// Refuses a surface whose teeth interfere at every turn. What is advised first was tried and helps. Single balls and
+/// clearance in the bearing let the cup take another shape than the one that the teeth were made for: then another
+/// surface seldom helps, and more side clearance does.
+[[noreturn]] void refuse_assembly(contact::ContactContext const& context, AssembledDrive const& drive,
+                                  surface::SurfaceSpec const& choice, contact::FlankSurface const& tried)
+{
+    Scene const& scene = context.scene;
+    std::string advice;
+    std::vector<std::string> set;
+    surface::SurfaceSpec const per_slice{ToothSurface::per_slice, TiltKind::radial, 0};
+    if (scene.coning && !scene.maps_axial_shift())
+        advice = "axial_shift = \"mapped\" in [coning], since the cup's sections do not stay in their planes";
+    else if (std::optional<double> const enough = enough_clearance(context, drive, choice, tried.offset)) {
+        advice = "circular_spline.backlash_offset = " + short_number(*enough);
+        set = {"circular_spline.backlash_offset=" + short_number(*enough)};
+    }
+    if (choice.surface != ToothSurface::per_slice && advice.empty() &&
+        can_be_assembled(context, drive, [&] { return contact::flank_surface(context, per_slice); }))
+        advice = "surface = \"per-slice\" in [slices]";
+    if (advice.empty())
+        advice = "a larger circular_spline.inner_radius than " + short_number(tried.tip) + " mm";
     throw NumericalError(ErrorCode::interference, "load", "assembly",
                          "cup and circular spline interfere in every position of the circular spline, even with a "
                          "side clearance of " +
-                             short_number(side_clearance) + " mm",
-                         "write " + advice + ", or a larger circular_spline.inner_radius");
+                             short_number(tried.offset) + " mm",
+                         "write " + advice, std::move(set));
 }
 
 }  // namespace
@@ -65,7 +107,7 @@ SurfaceWithPlay surface_with_play(contact::ContactContext const& context, Assemb
         result.surface = std::move(cleared);
     }
     if (!play)
-        refuse_assembly(context.scene, choice, result.surface.offset);
+        refuse_assembly(context, drive, choice, result.surface);
     result.play = *play;
     result.tips = tips_of(result.surface, play);
     return result;
