@@ -47,7 +47,7 @@ struct LoadedState
     double wave_generator_torque = 0;  ///< that the wave generator feels [N mm]
     double lobe_force = 0;             ///< resultant on the cup over the lobe at the major axis, along that axis [N]
     double lobe_force_across = 0;      ///< across that axis, clockwise positive [N]
-    double lobe_z = 0;                 ///< height at which lobe_force acts, above the middle of the bearing [mm]
+    double lobe_z = 0;                 ///< height of lobe_force above the middle of the bearing [mm]; NaN: a couple
     double ball_force = 0;             ///< largest of a ball [N], of a line of balls [N/mm]; 0: a rigid bearing
     double ball_phi = 0;               ///< its angle from the major axis [rad]
     int balls = 0;                     ///< single balls that carry force

@@ -13,6 +13,8 @@ namespace hdconj::figures {
 
 std::string fixed(double value, int decimals)
 {
+    if (std::isnan(value))
+        return "-";
     std::string text = fmt::format("{:.{}f}", value, decimals);
     return text.find_first_not_of("-0.") == std::string::npos && text.front() == '-' ? text.substr(1) : text;
 }

@@ -116,8 +116,12 @@ LoadedState error_of(LoadedState const& a, std::vector<LoadedState> const& coars
     for (ErrorRule const& rule : error_rules)
         d.*rule.figure = rule.factor * safety * std::max(difference(rule.figure), spread * rule.least * scale(rule));
     constexpr double least_height = 0.0055, height_factor = 0.42;  // of half the bearing's width
-    d.lobe_z =
-        height_factor * safety * std::max(difference(&LoadedState::lobe_z), spread * least_height * drive.half_width);
+    bool const has_height = std::ranges::none_of(coarser, [](auto const& each) { return std::isnan(each.lobe_z); });
+    // A grid without it leaves open where on the bearing it is.
+    d.lobe_z = std::isnan(a.lobe_z) ? a.lobe_z
+               : !has_height        ? 2 * drive.half_width
+                                    : height_factor * safety *
+                                   std::max(difference(&LoadedState::lobe_z), spread * least_height * drive.half_width);
     // Forces on single slices have no strip between slices: what is under pressure lies within the gap.
     if (a.contact_fraction == 0 && a.teeth > 0)
         d.contact_fraction = std::max(d.contact_fraction, a.fraction_within_gap);

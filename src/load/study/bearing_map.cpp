@@ -40,7 +40,7 @@ BearingMap bearing_map(ElasticDrive const& drive, Equilibrium const& state)
 
 LobeReaction lobe_reaction(BearingMap const& bearing, int sectors, int waves)
 {
-    constexpr double rounding = 1e-9;  // of the angle of a border between two lobes
+    constexpr double rounding = 1e-9;  // of the angle of a border between two lobes, and of heights
     LobeReaction lobe;
     double const part = 2 * std::numbers::pi / sectors, half = std::numbers::pi / waves;
     double moment = 0;
@@ -61,7 +61,10 @@ LobeReaction lobe_reaction(BearingMap const& bearing, int sectors, int waves)
             moment += f * std::cos(phi) * bearing.z[j];
         }
     }
-    lobe.z = lobe.along > 0 ? moment / lobe.along : 0;
+    double const z = moment / lobe.along, slack = rounding * (std::abs(bearing.z.front()) + std::abs(bearing.z.back()));
+    bool const on_bearing = z >= bearing.z.front() - slack && z <= bearing.z.back() + slack;
+    if (lobe.along > 0 && on_bearing)
+        lobe.z = z;
     return lobe;
 }
 

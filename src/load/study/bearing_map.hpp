@@ -2,6 +2,8 @@
 // Forces of the bearing at one torque.
 #pragma once
 
+#include <limits>
+
 #include "hdconj/load.hpp"
 #include "load/equilibrium.hpp"
 
@@ -24,7 +26,9 @@ struct LobeReaction
 {
     double along = 0;   ///< along the major axis [N]
     double across = 0;  ///< across it, clockwise positive [N]
-    double z = 0;       ///< height at which `along` acts [mm]
+    /// Height at which `along` acts [mm]. NaN, not determined, where it does not press outward or would act beyond the
+    /// bearing, as the forces of one wave may: they are a couple rather than a force.
+    double z = std::numeric_limits<double>::quiet_NaN();
 };
 [[nodiscard]] LobeReaction lobe_reaction(BearingMap const& bearing, int sectors, int waves);
 

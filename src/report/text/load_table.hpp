@@ -2,6 +2,8 @@
 // What a load study prints of its surfaces.
 #pragma once
 
+#include <cmath>
+
 #include "figures/number_text.hpp"
 #include "figures/summary_figures.hpp"
 #include "hdconj/load.hpp"
@@ -28,13 +30,14 @@ template <class Record>
     return row.error_text(errors) + (figures::is_unconverged(row, record, errors) ? "?" : "");
 }
 
-/// "2.03 +- 0.92?": a figure and, where there are estimates, its error.
+/// "2.03 +- 0.92?": a figure and, where there are estimates, its error; "-" where it is not determined.
 /// @param errors  record that holds it: @p record itself, or that of figures whose errors stand apart; null: none
 template <class Record>
 [[nodiscard]] std::string with_marked_error(figures::FigureOf<Record> const& row, Record const& record,
                                             Record const* errors)
 {
-    return row.value_text(record) + (errors != nullptr ? " +- " + marked_error(row, record, *errors) : "");
+    bool const has_error = errors != nullptr && !std::isnan(row.value(record));
+    return row.value_text(record) + (has_error ? " +- " + marked_error(row, record, *errors) : "");
 }
 
 /// "28 N m"
