@@ -197,13 +197,13 @@ std::string studies_text()
 
 constexpr char const* footer =
     "Errors are distances in mm from a reference in 50 digits, which another method computes for the scene's own wave "
-    "generator, motion model and tooth.\n"
+    "generator, motion model and tooth. Those of contact-area are areas in mm^2, those of load relative.\n"
     "Outlines are compared in one plane, without coning, tilt and slices. Motion models are compared with the exact "
     "one, and load with its own finest levels.\n"
     "contact-area and load have the tooth surface of [slices], or an outline per slice where there is no such table. "
     "Areas of outlines per slice are compared with lengths in a thousand exact planes, others with many slices.\n"
-    "Where the circular spline is given, union, contact-area and load are left "
-    "out. Notes say what else was.\n"
+    "Where the circular spline is given, union, contact-area and load are left out. "
+    "Notes say what else was.\n"
     "The folder holds records.h5, records.csv and, where gnuplot is installed, a picture of each study. It appears "
     "whole or not at all. Times depend on how busy this machine is.\n"
     "Examples:\n"

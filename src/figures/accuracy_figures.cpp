@@ -141,6 +141,11 @@ std::string series_name(ConvergenceSeries const& series)
     return series.drive == accuracy::worst_of_sample ? series.method + ", worst of the sample" : series.method;
 }
 
+std::string unit_of_errors(ConvergenceSeries const& series)
+{
+    return series.unit == "1" ? "relative" : series.unit;
+}
+
 std::string series_remark(ConvergenceSeries const& series)
 {
     std::string remark;
@@ -153,7 +158,7 @@ std::string series_remark(ConvergenceSeries const& series)
         remark = fmt::format("error falls {:.2g} times a degree until degree {:.0f}", fall->factor, fall->until);
     }
     if (series.floor == series.floor)
-        remark += fmt::format("{}floor {:.2e} {}", remark.empty() ? "" : ", ", series.floor, series.unit);
+        remark += fmt::format("{}floor {:.2e} {}", remark.empty() ? "" : ", ", series.floor, unit_of_errors(series));
     return remark;
 }
 

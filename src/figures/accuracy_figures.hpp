@@ -43,6 +43,8 @@ inline constexpr Name levels{"levels", "rungs"};
 [[nodiscard]] std::string threads_text(int threads);
 /// "type-50, solve" or "worst of the sample, solve".
 [[nodiscard]] std::string series_name(ConvergenceSeries const& series);
+/// "mm", "mm^2" or "relative".
+[[nodiscard]] std::string unit_of_errors(ConvergenceSeries const& series);
 /// "order 1.00", "floor 2.57e-03", "no order: ...", "error falls 12 times a degree until degree 8", or empty.
 [[nodiscard]] std::string series_remark(ConvergenceSeries const& series);
 /// What to write for a wanted error or time, in words.

@@ -182,9 +182,10 @@ TEST_CASE("accuracy: drives of every kind are measured, and what a scene has no 
                 }
     }
     // a study along the axis needs no reference
-    auto const axial = accuracy("--quick --sample 0 --study contact-area -o axial", folder);
+    auto const axial = accuracy("--quick --sample 0 --study contact-area,load -o axial", folder);
     CHECK(axial.status == 0);
-    CHECK_THAT(axial.out, !ContainsSubstring("50 digits by another method") && ContainsSubstring("slices"));
+    CHECK_THAT(axial.out, !ContainsSubstring("50 digits by another method") && ContainsSubstring("  slices [mm^2]") &&
+                              ContainsSubstring("  harmonics: twist [relative]"));
 }
 
 TEST_CASE("accuracy measures the tooth surface of the scene", "[accuracy]")

@@ -19,7 +19,7 @@ void write_table(report::Page& page, ConvergenceSeries const& series)
     page.line(
         "| {} | error [{}] | estimate | normal speed [mm/rad] | missed, extra | median | least ... most | evaluations "
         "| points | memory [MB] |",
-        series.knob, series.unit);
+        series.knob, figures::unit_of_errors(series));
     page.line("|---|---|---|---|---|---|---|---|---|---|");
     for (auto const& level : series.levels) {
         page.line("| {} | {} | {} | {} | {}, {} | {} | {} ... {} | {:.0f} | {:.0f} | {:.0f} |",

@@ -12,7 +12,8 @@ namespace {
 void write_series(Page& page, ConvergenceSeries const& series)
 {
     std::string const remark = figures::series_remark(series);
-    page.line("  {}{}{}", figures::series_name(series), remark.empty() ? "" : ": ", remark);
+    page.line("  {} [{}]{}{}", figures::series_name(series), figures::unit_of_errors(series),
+              remark.empty() ? "" : ": ", remark);
     page.line("  {:>12}  {:>10} {:>10} {:>10} {:>6} {:>5} {:>11} {:>11} {:>11} {:>9}",
               series.knob.size() > 12 ? "knob" : series.knob, "error", "estimate", "speed n.v", "missed", "extra",
               "median", "least", "most", "points");
