@@ -170,7 +170,7 @@ enum class PointFate
 {
     used,    ///< in every figure
     beside,  ///< its foot is on no flank: tip land, root, or beyond the ends
-    stray    ///< further from the run of its flank than noise is: left out
+    stray    ///< jumps against its neighbours and the other flanks: left out
 };
 /// Words of PointFate.
 template <>

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "clean_fits.hpp"
 #include "common_errors.hpp"
 #include "numeric/least_squares.hpp"
 #include "plane_points.hpp"
@@ -69,16 +70,11 @@ Fitted fitted(PointReader const& read, PlanePoints const& on, PointFile const& m
         }
         found.placement = registered(what);
         found.views = views_of(read, on.points, found.placement, threads);
-        found.fits.clear();
         std::vector<bool> used(on.points.size(), true);
-        for (FlankGroup& group : groups_of(on.points, found.views, used)) {
-            auto fit = flank_fit(read, on.points, std::move(group), found.placement);
-            if (!fit)
-                continue;
-            for (std::size_t const stray : fit->strays)
+        found.fits = fits_without_strays(read, on.points, groups_of(on.points, found.views, used), found.placement);
+        for (FlankFit const& fit : found.fits)
+            for (std::size_t const stray : fit.strays)
                 used[stray] = false;
-            found.fits.push_back(std::move(*fit));
-        }
         if (std::exchange(found.used, used) == used)
             break;
     }
@@ -236,6 +232,7 @@ void add_note_of_probe(Inspection& result)
 void add_notes(Inspection& result, std::size_t groups)
 {
     add_note_of_probe(result);
+    add_note_of_strays(result);
     if (result.flanks.empty())
         result.notes.push_back(fmt::format(
             "no flank has {} points over {:g} % of its length: there are deviations, but no figures of flanks",

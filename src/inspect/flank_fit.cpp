@@ -13,12 +13,6 @@
 namespace hdconj::inspect {
 namespace {
 
-/// Residuals beyond so many standard deviations, taken from their median size, are no noise: once in 5e8 points.
-constexpr double stray_deviations = 6;
-constexpr double median_of_normal = 0.6745;  // of the size of a normal variable, in standard deviations
-/// Below this no point is called a stray [mm]: finer than any probe repeats.
-constexpr double least_stray = 2e-3;
-constexpr double least_weight = 1e-6;  // of a size among the weights: rounds then end at the points that are met
 constexpr int most_turns = 60;
 
 struct SortedViews
@@ -53,50 +47,6 @@ SortedViews sorted_views(PointReader const& read, std::vector<PlanePoint> const&
         sorted.arc_length.push_back(all.arc_length[i]);
     }
     return sorted;
-}
-
-/// What the parabola of least sum of sizes leaves of the deviations: strays do not draw it to themselves. By weights
-/// that are the reciprocal sizes of the remainders.
-std::vector<double> robust_remainders(FlankParabola const& parabola, double length)
-{
-    constexpr int rounds = 30;
-    auto const n = static_cast<Eigen::Index>(parabola.points.size());
-    Eigen::MatrixXd basis(n, 3);
-    Eigen::VectorXd const deviation = Eigen::VectorXd::Map(parabola.deviation.data(), n);
-    Eigen::VectorXd remainder = Eigen::VectorXd::Map(parabola.remainder.data(), n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-        double const xi = 2 * parabola.arc_length[static_cast<std::size_t>(i)] / length - 1;
-        basis.row(i) << 1, xi, xi * xi;
-    }
-    for (int round = 0; round < rounds; ++round) {
-        double const least = std::max(remainder.cwiseAbs().maxCoeff() * least_weight, unit_roundoff * length);
-        Eigen::VectorXd const root = remainder.cwiseAbs().cwiseMax(least).cwiseInverse().cwiseSqrt();
-        Eigen::VectorXd const fitted =
-            numeric::LeastSquares(root.asDiagonal() * basis).solve(Eigen::VectorXd(root.cwiseProduct(deviation)));
-        remainder = deviation - basis * fitted;
-    }
-    return {remainder.data(), remainder.data() + n};
-}
-
-/// Index of the stray that is furthest off, if there is any.
-std::optional<std::size_t> stray_of(FlankParabola const& parabola, double length)
-{
-    double largest = 0;
-    for (double const each : parabola.remainder)
-        largest = std::max(largest, std::abs(each));
-    if (parabola.points.size() <= fewest_points || largest <= least_stray)
-        return std::nullopt;
-    std::vector<double> size = robust_remainders(parabola, length);
-    std::transform(size.begin(), size.end(), size.begin(), [](double r) { return std::abs(r); });
-    auto const worst = static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
-    double const furthest = size[worst];
-    // it meets three points: those say nothing of the others. Few points scatter more (Rousseeuw and Leroy 1987, 5.3)
-    constexpr std::size_t met = 3;
-    double const few = 1 + 5 / static_cast<double>(size.size() - met);
-    auto const middle = size.begin() + static_cast<std::ptrdiff_t>(met + (size.size() - met) / 2);
-    std::nth_element(size.begin(), middle, size.end());
-    double const limit = std::max(least_stray, stray_deviations * few * *middle / median_of_normal);
-    return furthest > limit ? std::optional(worst) : std::nullopt;
 }
 
 }  // namespace
@@ -142,7 +92,6 @@ std::optional<FlankFit> flank_fit(PointReader const& read, std::vector<PlanePoin
                                   Placement const& placement)
 {
     NominalPlane const& plane = read.part().planes[group.plane];
-    double const radius = plane.reference_radius, length = plane.flank(group.right).length();
     FlankFit fit;
     int turns = 0;
     for (;;) {
@@ -150,20 +99,13 @@ std::optional<FlankFit> flank_fit(PointReader const& read, std::vector<PlanePoin
         if (!parabola || parabola->by_turn[0] == 0)
             return std::nullopt;
         double const step = -parabola->coefficient[0] / parabola->by_turn[0];
-        bool const at_rest = std::abs(step) * radius <= read.part().tolerance().roundoff();
+        bool const at_rest = std::abs(step) * plane.reference_radius <= read.part().tolerance().roundoff();
         if (!at_rest && turns++ < most_turns) {
             fit.turn += step;
             continue;
         }
-        auto const stray = stray_of(*parabola, length);
-        if (!stray) {
-            fit.parabola = *parabola;
-            break;
-        }
-        std::size_t const gone = parabola->points[*stray];
-        fit.strays.push_back(gone);
-        group.points.erase(std::find(group.points.begin(), group.points.end(), gone));
-        turns = 0;
+        fit.parabola = *parabola;
+        break;
     }
     group.points = fit.parabola.points;
     fit.group = std::move(group);

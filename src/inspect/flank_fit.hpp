@@ -35,10 +35,10 @@ struct FlankParabola
 /// A flank turned to its own position, where a = 0.
 struct FlankFit
 {
-    FlankGroup group;  ///< its points without strays
-    std::vector<std::size_t> strays;
-    FlankParabola parabola;  ///< after the turn
-    double turn = 0;         ///< beyond the placement, clockwise [rad]
+    FlankGroup group;                 ///< its points without strays
+    std::vector<std::size_t> strays;  ///< points that were left out
+    FlankParabola parabola;           ///< after the turn
+    double turn = 0;                  ///< beyond the placement, clockwise [rad]
     /// Change of turn, b and -c with the coefficients of the parabola before the turn.
     Eigen::Matrix3d by_coefficients = Eigen::Matrix3d::Zero();
     /// Of turn, b and -c, for noise of variance 1.
@@ -56,9 +56,7 @@ inline constexpr std::size_t fewest_points = 4;
                                                           std::vector<PlanePoint> const& points,
                                                           FlankGroup const& group, Placement const& placement);
 
-/// Turns the flank until the parabola is 0 at the middle, and leaves out strays: one by one the point furthest from the
-/// parabola of least sum of sizes, while it is further off than 2 um and six standard deviations by the median.
-/// @returns nothing where the points are too few
+/// Turns the flank until the parabola is 0 at the middle. @returns nothing where the points are too few
 [[nodiscard]] std::optional<FlankFit> flank_fit(PointReader const& read, std::vector<PlanePoint> const& points,
                                                 FlankGroup group, Placement const& placement);
 
