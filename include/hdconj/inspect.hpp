@@ -220,6 +220,8 @@ struct Inspection
     PairGeometry geometry;                ///< of the drive, where it was solved for the nominal outline
     std::size_t beside = 0;               ///< points on no flank
     std::size_t strays = 0;               ///< points left out
+    std::size_t repeated = 0;             ///< points that stand in the file before, not among `points`
+    std::size_t elsewhere = 0;            ///< points of planes that were not asked for, not among `points`
     std::vector<std::string> notes;       ///< what a reader should know
 };
 

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluation.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
 #include <utility>
 
-#include "base/text.hpp"
 #include "clean_fits.hpp"
 #include "common_errors.hpp"
 #include "numeric/least_squares.hpp"
+#include "placement_notes.hpp"
 #include "plane_points.hpp"
 #include "registration.hpp"
 #include "ring_figures.hpp"
@@ -117,35 +115,6 @@ void add_points(Inspection& result, Fitted const& found, PlanePoints const& on, 
     result.placement.rms = count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0;
 }
 
-/// Whether the teeth hardly tell a shift from errors that all flanks share.
-/// @param known    errors that the registration knows
-/// @param inverse  covariance of the unknowns beside common errors
-/// @param rows     derivatives of the deviations
-void add_note_of_sector(Inspection& result, CommonErrorsKnown known, Eigen::MatrixXd const& inverse,
-                        Eigen::MatrixXd const& rows)
-{
-    constexpr double weak = 2, small_part = 0.05;
-    if (result.options.registration == Registration::least_squares && known != CommonErrorsKnown::all)
-        result.notes.push_back(fmt::format(
-            "the points do not tell {}slope and crowning from the position of the part: what flanks have of these in "
-            "common changes it, beyond the intervals; write --register turn if the axis is known",
-            known == CommonErrorsKnown::none ? "thickness, " : ""));
-    // its eigenvalues are 1 over the squared sines of the angles between both; the largest is hardly below this
-    double const squared = (inverse * (rows.transpose() * rows)).trace() - static_cast<double>(rows.cols() - 1);
-    double const part = 1 - 1 / squared;
-    bool const zone = result.options.registration == Registration::minimum_zone;
-    if (zone && part > small_part)
-        result.notes.push_back(fmt::format(
-            "a minimum zone of these teeth takes up to {:.0f} % of what all flanks have in common (thickness, slope, "
-            "crowning) for a shift: write --register turn if the axis is known, else least-squares",
-            100 * part));
-    else if (!zone && squared > weak * weak)
-        result.notes.push_back(fmt::format(
-            "the teeth hardly tell a shift from thickness, slope and crowning: errors of another form that all flanks "
-            "share come into these up to {:.0f}-fold, beyond the intervals; write --register turn if the axis is known",
-            std::sqrt(squared)));
-}
-
 /// Turn and shift with what noise makes of them.
 RegistrationNoise add_placement(Inspection& result, Fitted const& found, NominalPart const& part,
                                 Intervals const& intervals, int threads)
@@ -210,51 +179,22 @@ void add_nominal(Inspection& result, NominalPart const& part, std::vector<double
     }
 }
 
-/// Whether all points lie off the flanks to one side, as centres of a ball do whose radius is not given.
-void add_note_of_probe(Inspection& result)
-{
-    constexpr double far = 4;  // in standard deviations: errors of a part go to both sides
-    double sum = 0, squares = 0, count = 0;
-    for (PointDeviation const& point : result.points)
-        if (point.fate == PointFate::used) {
-            sum += point.deviation;
-            squares += point.deviation * point.deviation;
-            ++count;
-        }
-    double const mean = count > 0 ? sum / count : 0;
-    double const deviation = count > 0 ? std::sqrt(std::max(0.0, squares / count - mean * mean)) : 0;
-    if (std::abs(mean) > far * deviation && std::abs(mean) > plane_thickness)
-        result.notes.push_back(fmt::format(
-            "all points lie about {} mm {} the material: is the probe's radius missing, or of the other sign?",
-            short_number(std::abs(mean), 2), mean > 0 ? "outside" : "inside"));
-}
-
-void add_notes(Inspection& result, std::size_t groups)
-{
-    add_note_of_probe(result);
-    add_note_of_strays(result);
-    if (result.flanks.empty())
-        result.notes.push_back(fmt::format(
-            "no flank has {} points over {:g} % of its length: there are deviations, but no figures of flanks",
-            fewest_points, 100 * least_cover));
-    else if (groups > result.flanks.size())
-        result.notes.push_back(
-            fmt::format("{} of {} flanks have fewer than {} points, or points over less than {:g} % "
-                        "of their length: they have no figures",
-                        groups - result.flanks.size(), groups, fewest_points, 100 * least_cover));
-}
-
 }  // namespace
 
-Inspection evaluated(Scene const& scene, NominalPart const& part, std::vector<double> const& z,
+Inspection evaluated(Scene const& scene, NominalPart const& part, std::vector<MeasuredPlane> const& planes,
                      PointFile const& measured, InspectOptions const& options)
 {
     Inspection result;
     result.scene = scene;
     result.options = options;
     result.file = measured.file;
+    std::vector<double> z;
+    for (MeasuredPlane const& plane : planes)
+        z.push_back(plane.z);
     add_nominal(result, part, z);
-    PlanePoints const on = points_on(z, measured);
+    PlanePoints const on = points_on(planes, measured);
+    result.elsewhere = on.elsewhere;
+    result.repeated = on.repeated;
     PointReader const read(part, options.probe);
     Fitted const found = fitted(read, on, measured, options, scene.solver.threads);
     NoiseSum sum;
@@ -268,8 +208,8 @@ Inspection evaluated(Scene const& scene, NominalPart const& part, std::vector<do
     // two components of a shift change the remainders too: much of those of one tooth
     double const left = unknowns_of(options.registration) == most_unknowns ? 1 - 2 / freedom : 1;
     double error = 0;
-    for (NominalPlane const& plane : part.planes)
-        error = std::max(error, plane.error);
+    for (std::size_t i = 0; i < planes.size(); ++i)
+        error = std::max(error, part.planes[i].error + lean_of(planes[i], i, on).shortened);
     Intervals const intervals(sum.squares, left * static_cast<double>(sum.differences),
                               error + part.tolerance().roundoff());
     result.noise = intervals.noise();
@@ -283,11 +223,10 @@ Inspection evaluated(Scene const& scene, NominalPart const& part, std::vector<do
     result.sides = side_figures(data, result.flanks, intervals);
     result.planes = plane_figures(data, intervals);
     result.mean_flank = mean_flank(data);
-    if (on.repeated > 0)
-        result.notes.push_back(fmt::format("{} {} in the file again, and {} used once", on.repeated,
-                                           on.repeated == 1 ? "point stands" : "points stand",
-                                           on.repeated == 1 ? "is" : "are"));
-    add_notes(result, groups_of(on.points, found.views, found.used).size());
+    if (std::string note = note_of_wide_planes(planes, on); !note.empty())
+        result.notes.push_back(std::move(note));
+    add_note_of_strays(result);
+    add_notes_of_points(result, groups_of(on.points, found.views, found.used).size());
     return result;
 }
 

@@ -224,6 +224,14 @@ std::vector<double> NominalFlank::joints() const
     return all;
 }
 
+FlankFoot NominalPlane::foot(Vec2 const& p, bool is_right, double above) const
+{
+    FlankFoot here = flank(is_right)(p);
+    if (raised && above != 0)
+        here.distance += above / raise * (raised->flank(is_right)(p).distance - here.distance);
+    return here;
+}
+
 double NominalPart::pitch() const
 {
     return 2 * std::numbers::pi / teeth;

@@ -52,13 +52,17 @@ class NominalFlank
 struct NominalPlane
 {
     NominalFlank left, right;
-    double reference_radius = 0;  ///< of the circle through the middles of the flanks [mm]
-    double half_angle = 0;        ///< from the middle of the right flank to that of the left one, half [rad]
-    double error = 0;             ///< of the outline [mm]
+    double reference_radius = 0;             ///< of the circle through the middles of the flanks [mm]
+    double half_angle = 0;                   ///< from the middle of the right flank to that of the left one, half [rad]
+    double error = 0;                        ///< of the outline [mm]
+    double raise = 0;                        ///< from here to `raised` [mm]
+    std::unique_ptr<NominalPlane> raised{};  ///< the outline at another height; none where it is the same
 
     /// Of the tooth, or width of the space, along the reference circle [mm].
     [[nodiscard]] double thickness() const { return 2 * half_angle * reference_radius; }
     [[nodiscard]] NominalFlank const& flank(bool is_right) const { return is_right ? right : left; }
+    /// The foot of @p p on a flank, and its distance from the outline that is higher by @p above: to first order.
+    [[nodiscard]] FlankFoot foot(Vec2 const& p, bool is_right, double above) const;
 };
 
 /// A ring of equal teeth, or of equal tooth spaces.

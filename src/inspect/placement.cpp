@@ -35,7 +35,7 @@ PointView PointReader::on_flank(PlanePoint const& point, Placement const& placem
     double const turn = placement.turn + (right ? placement.excess : -placement.excess);
     view.place = turned_clockwise(point.where - placement.shift, -turn);
     Vec2 const in_tooth = to_tooth(view.place, tooth) - Vec2(0, part_.seat);
-    FlankFoot const foot = part_.planes[point.plane].flank(right)(in_tooth);
+    FlankFoot const foot = part_.planes[point.plane].foot(in_tooth, right, point.above);
     view.on = foot.on;
     view.deviation = foot.distance - probe_;
     view.foot = foot.point;

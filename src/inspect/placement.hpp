@@ -33,6 +33,7 @@ struct PlanePoint
     Vec2 where = Vec2::Zero();
     std::size_t plane = 0;      ///< index into NominalPart::planes
     std::optional<bool> right;  ///< which flank
+    double above = 0;           ///< the height of that plane
 };
 
 /// A point as the nominal part sees it.

@@ -2,31 +2,19 @@
 // The points that are evaluated, and whether they are of the part and of the teeth and flanks that they name.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "hdconj/inspect.hpp"
-#include "placement.hpp"
+#include "measured_planes.hpp"
 
 namespace hdconj::inspect {
 
 /// Layer of a drawing with points of the flexspline. write_dxf() draws the assembled tooth on it.
 inline constexpr char const* flexspline_layer = "FLEXSPLINE_TOOTH";
 
-/// The points of the planes that are evaluated, and where each stands in the file.
-struct PlanePoints
-{
-    std::vector<PlanePoint> points;
-    std::vector<std::size_t> origin;
-    std::size_t repeated = 0;  ///< points left out, because the same stands in the file before
-};
-
 /// The points of a drawing's layer that has the part, where it has several: the one that `solve --dxf` gives that name.
 /// @throws InputError where there is none
 [[nodiscard]] PointFile of_own_layer(PointFile const& measured, InspectedPart part);
-
-/// The points of the planes @p z, each once.
-[[nodiscard]] PlanePoints points_on(std::vector<double> const& z, PointFile const& measured);
 
 /// @throws InputError where a point names a tooth that @p part has not
 void refuse_numbers(PointFile const& measured, NominalPart const& part);

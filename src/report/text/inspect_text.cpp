@@ -44,6 +44,9 @@ void write_placement(Page& page, Inspection const& inspection)
     if (inspection.beside + inspection.strays > 0)
         page.figure("not evaluated", of_all("points_beside"),
                     "beside the flanks; " + of_all("points_stray") + " strays left out");
+    if (inspection.repeated + inspection.elsewhere > 0)
+        page.figure("not read", of_all("points_repeated"),
+                    "repeated; " + of_all("points_elsewhere") + " in other planes");
 }
 
 void write_nominal(Page& page, Inspection const& inspection)

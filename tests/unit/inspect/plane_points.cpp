@@ -151,10 +151,116 @@ TEST_CASE("points that stand in the file again are used once", "[inspect]")
                      twice = inspect_points(builtin_scene(), doubled, {});
     CHECK(once.notes.empty());
     CHECK(twice.points.size() == once.points.size());
+    CHECK(twice.repeated == file.points.size());
     CHECK(twice.noise == once.noise);
     CHECK(twice.placement.turn.error == once.placement.turn.error);
     REQUIRE(twice.notes.size() == 1);
     CHECK(twice.notes.front() == "250 points stand in the file again, and are used once");
+}
+
+TEST_CASE("heights that scatter or rise are one plane, and change no figure of equal sections", "[inspect]")
+{
+    PointFile file = labelled(2e-4);
+    Inspection const flat = inspect_points(builtin_scene(), file, {});
+    designs::Draws draws(11);
+    file.has_z = true;
+    auto const with_heights = [&](auto height) {
+        for (PartPoint& point : file.points)
+            point.z = height(point);
+        Inspection found = inspect_points(builtin_scene(), file, {});
+        CHECK(found.nominal.size() == 1);
+        CHECK(found.points.size() == file.points.size());
+        CHECK(found.elsewhere + found.repeated == 0);
+        CHECK(found.sides[1].total_pitch.value == flat.sides[1].total_pitch.value);
+        return found;
+    };
+    for (double const width : {0.004, 0.02, 0.3, 6.0}) {
+        CAPTURE(width);
+        Inspection const even = with_heights([&](PartPoint const&) { return draws.between(-width / 2, width / 2); });
+        CHECK(even.notes.empty() == (width < 0.04));
+        Inspection const bell = with_heights([&](PartPoint const&) { return width / 8 * normal(draws); });
+        CHECK(bell.notes.empty() == (width < 0.04));
+    }
+}
+
+TEST_CASE("the intervals of a part that leans hold what a flat one has", "[inspect]")
+{
+    MeasuredRing ring;
+    ring.points = 5;
+    ring.noise = 2e-4;
+    designs::Draws draws(5);
+    PointFile const level = points_of(ring, draws);
+    PlaneFigures const upright = inspect_points(scene_of(ring), level, {}).planes.front();
+    for (double const slope : {1e-3, 0.01, 0.05}) {
+        CAPTURE(slope);
+        PointFile file = level;
+        file.has_z = true;
+        for (PartPoint& point : file.points) {
+            point.where.x() *= std::cos(std::atan(slope));
+            point.z = slope * point.where.x();
+        }
+        Inspection const found = inspect_points(scene_of(ring), file, {});
+        CHECK(found.nominal.size() == 1);
+        CHECK(found.points.size() == file.points.size());
+        REQUIRE(found.notes.size() == 1);
+        CHECK_THAT(found.notes.front(), ContainsSubstring("it leans by") && ContainsSubstring("lay the part flat"));
+        PlaneFigures const& leaning = found.planes.front();
+        CHECK(std::abs(leaning.runout.value - upright.runout.value) < leaning.runout.error);
+        CHECK(std::abs(leaning.thickness.value - upright.thickness.value) < leaning.thickness.error);
+    }
+}
+
+TEST_CASE("planes of few points stay apart, and points of other planes are counted", "[inspect]")
+{
+    PointFile const one = labelled(2e-4);
+    PointFile file = one;
+    designs::Draws draws(12);
+    file.points.clear();
+    for (double const z : {-1.0, 0.4, 1.0})
+        for (PartPoint point : one.points) {
+            point.z = z + 0.004 * normal(draws);
+            file.points.push_back(point);
+        }
+    file.has_z = true;
+    Inspection const all = inspect_points(builtin_scene(), file, {});
+    CHECK(all.nominal.size() == 3);
+    CHECK(all.points.size() == file.points.size());
+    InspectOptions options;
+    options.plane = 0.41;
+    Inspection const alone = inspect_points(builtin_scene(), file, options);
+    CHECK(alone.points.size() == one.points.size());
+    CHECK(alone.elsewhere == 2 * one.points.size());
+}
+
+TEST_CASE("planes that have no tooth in common are told", "[inspect]")
+{
+    PointFile file = labelled(2e-4);
+    file.has_z = true;
+    for (PartPoint& point : file.points)
+        point.z = 0.1 * point.tooth / teeth;  // as a few teeth of a part that leans
+    Inspection const found = inspect_points(builtin_scene(), file, {});
+    CHECK(found.nominal.size() > 1);
+    CHECK(std::ranges::any_of(found.notes, [](std::string const& note) {
+        return note.find("planes have no tooth in common") != std::string::npos;
+    }));
+}
+
+TEST_CASE("without a cup the teeth of a flexspline are as wide as the circular spline", "[inspect]")
+{
+    auto const reading = examine_scene_file(HDCONJ_SOURCE_DIR "/data/scenes/type-50.toml",
+                                            {"!flexspline.cup", "circular_spline.width=7"});
+    REQUIRE(reading.faults.empty());
+    PointFile file = labelled();
+    file.has_z = true;
+    for (PartPoint& point : file.points)
+        point.z = 3.51;
+    CHECK(inspect_points(reading.scene, file, {}).points.size() == file.points.size());
+    for (PartPoint& point : file.points)
+        point.z = 5;
+    CHECK_THROWS_WITH(inspect_points(reading.scene, file, {}),
+                      ContainsSubstring("points.csv line 2: z = 5: the teeth of the flexspline stand between z = -3.5 "
+                                        "and 3.5 mm") &&
+                          ContainsSubstring("flexspline.cup"));
 }
 
 TEST_CASE("planes beside the teeth are refused on either part", "[inspect]")

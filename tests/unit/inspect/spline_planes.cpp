@@ -86,6 +86,36 @@ TEST_CASE("between slices the per-slice surface is the conjugate outline of the 
     check_exact(scene, file);
 }
 
+TEST_CASE("a point off its plane is read against the outline of its own height", "[inspect]")
+{
+    Scene const scene = coned({"slices.count=3", "coning.axial_shift=\"none\""});
+    std::string const tip =
+        fmt::format("circular_spline.inner_radius={}", solve(scene).geometry.circular_spline_inner_radius);
+    PointFile file{"ring", {}, true};
+    auto const add_height = [&](double z) {
+        constexpr double apex = -8.57;
+        double const w0 = 0.25 * (z - apex) / -apex;
+        Solution const there = solve(plane({fmt::format("wave_generator.radial_deformation={:.12f}", w0), tip}));
+        add_points(file, there.circular_spline.outline.front(), there.circular_spline.pieces, z,
+                   scene.drive.circular_spline_teeth);
+    };
+    for (double const z : {0.565, 0.583, 0.6, 0.618, 0.63})
+        add_height(z);
+    InspectOptions const options{InspectedPart::circular_spline, std::nullopt, 0, Registration::datum};
+    Inspection const found = inspect_points(scene, file, options);
+    CHECK(found.nominal.size() == 1);
+    CHECK(found.points.size() + found.repeated == file.points.size());
+    constexpr double second_order = 1e-4;  // [mm]; the outline moves 25 times as far
+    for (PointDeviation const& point : found.points)
+        if (point.fate == PointFate::used && std::abs(point.deviation) > second_order)
+            FAIL_CHECK("z " << point.line << " deviation " << point.deviation);
+    for (std::size_t i = 0; i < file.points.size(); ++i)
+        file.points[i].z = std::lerp(0.53, 0.66, static_cast<double>(i) / static_cast<double>(file.points.size() - 1));
+    CHECK_THROWS_WITH(inspect_points(scene, file, options),
+                      ContainsSubstring("the points of one plane run from z = 0.53 to 0.66 mm, and the outline of "
+                                        "this part changes with z"));
+}
+
 TEST_CASE("between slices a draft is the side clearance of its height", "[inspect]")
 {
     Scene const scene = coned({"!coning", "slices.count=2", "slices.surface=\"tilted\"", "tilt.kind=\"draft\"",
