@@ -115,6 +115,23 @@ void add_points(Inspection& result, Fitted const& found, PlanePoints const& on, 
     result.placement.rms = count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0;
 }
 
+/// Sum of @p own over the points of each fit, each times what a place of its flank changes there.
+/// @param points  of the rows
+Eigen::MatrixXd place_sums(Eigen::MatrixXd const& own, Eigen::VectorXd const& by_place,
+                           std::vector<std::size_t> const& points, std::vector<FlankFit> const& fits)
+{
+    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(own.cols(), static_cast<Eigen::Index>(fits.size()));
+    for (std::size_t k = 0; k < fits.size(); ++k)
+        for (std::size_t const point : fits[k].group.points) {
+            auto const at = std::ranges::lower_bound(points, point);  // in the order of the file
+            if (at == points.end() || *at != point)
+                continue;
+            Eigen::Index const row = at - points.begin();
+            sums.col(static_cast<Eigen::Index>(k)) += by_place[row] * own.row(row).transpose();
+        }
+    return sums;
+}
+
 /// Turn and shift with what noise makes of them.
 RegistrationNoise add_placement(Inspection& result, Fitted const& found, NominalPart const& part,
                                 Intervals const& intervals, int threads)
@@ -161,6 +178,8 @@ RegistrationNoise add_placement(Inspection& result, Fitted const& found, Nominal
         covariance.topLeftCorner(unknowns, unknowns) = inverse;
         covariance.block(0, most_unknowns, unknowns, unknowns) = -inverse;
         covariance.block(most_unknowns, 0, unknowns, unknowns) = -inverse;
+        if (unknowns == most_unknowns)
+            of_figures.by_places = inverse * place_sums(own, rows.col(0), points, found.fits);
     }
     placement.turn.error = error[0] / part.planes.front().reference_radius;
     if (unknowns == most_unknowns) {
@@ -223,6 +242,7 @@ Inspection evaluated(Scene const& scene, NominalPart const& part, std::vector<Me
     result.sides = side_figures(data, result.flanks, intervals);
     result.planes = plane_figures(data, intervals);
     result.mean_flank = mean_flank(data);
+    add_note_of_places(result, data);
     if (std::string note = note_of_wide_planes(planes, on); !note.empty())
         result.notes.push_back(std::move(note));
     add_note_of_strays(result);

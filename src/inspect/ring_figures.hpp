@@ -30,6 +30,8 @@ struct RegistrationNoise
     using Row = Eigen::Matrix<double, 1, size>;  ///< (g, h) of a figure
     Eigen::Matrix<double, size, size> covariance = Eigen::Matrix<double, size, size>::Zero();
     Eigen::Matrix<double, size, 3> explained = Eigen::Matrix<double, size, 3>::Zero();  ///< of J, by CommonErrors
+    /// Change of the unknowns with the place of each fit's flank, an arc. Of least squares alone.
+    Eigen::Matrix<double, 3, Eigen::Dynamic> by_places{};
 };
 
 /// Everything that the figures are made of. Fits stand by plane, tooth, left before right.
