@@ -147,10 +147,12 @@ void write_bearing(Page& page, LoadStudy const& study, LoadCase const& each, Loa
     auto const with_error = [&](char const* name) {
         return with_marked_error(rows[name], state, each.estimated ? &each.error : nullptr);
     };
+    std::string const where = std::isnan(state.lobe_z) ? "at no height of the bearing, since the forces are a couple"
+                                                       : "at z = " + with_error("lobe_z") + " mm";
     std::string text =
-        fmt::format("  {}: lobe at the major axis {} N along it, {} N across it, at z = {} mm; wave generator {} N m",
-                    figures::case_name(each), with_error("lobe_force"), with_error("lobe_force_across"),
-                    with_error("lobe_z"), with_error("wave_generator_torque"));
+        fmt::format("  {}: lobe at the major axis {} N along it, {} N across it, {}; wave generator {} N m",
+                    figures::case_name(each), with_error("lobe_force"), with_error("lobe_force_across"), where,
+                    with_error("wave_generator_torque"));
     if (state.ball_force > 0) {
         text += fmt::format("; balls up to {} {} at {}", with_error("ball_force"), rows["ball_force"].unit.text,
                             told.with_unit("ball_phi"));
