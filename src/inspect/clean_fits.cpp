@@ -94,8 +94,7 @@ void add_note_of_strays(Inspection& result)
             continue;
         result.notes.push_back(
             fmt::format("{} strays of {} {} flanks at z = {} mm stand between {} and {} % of the flank from its root "
-                        "end: what stands "
-                        "at one place of so many flanks is more than dust",
+                        "end: what stands at one place of so many flanks is more than dust",
                         count, side->flanks, right ? "right" : "left", short_number(z), 100 / parts * part,
                         100 / parts * (part + 1)));
     }

@@ -56,8 +56,7 @@ std::vector<std::size_t> ends_of_groups(std::vector<Place> const& places, std::s
     return ends;
 }
 
-}  // namespace
-
+/// The middle one of some values, of two middle ones the smaller in size; 0 of none.
 double median(std::vector<double> values)
 {
     if (values.empty())
@@ -69,6 +68,8 @@ double median(std::vector<double> values)
     double const below = *std::max_element(values.begin(), middle);
     return std::abs(below) < std::abs(*middle) ? below : *middle;
 }
+
+}  // namespace
 
 RunParabola::RunParabola(std::vector<double> const& xi, std::vector<double> const& values)
     : RunParabola(xi, values, Eigen::VectorXd::Ones(static_cast<Eigen::Index>(xi.size())))

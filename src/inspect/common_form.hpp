@@ -71,7 +71,4 @@ class CommonForm
     std::vector<double> xi_, form_, spread_;  ///< of the groups
 };
 
-/// The middle one of some values, of two middle ones the smaller in size; 0 of none.
-[[nodiscard]] double median(std::vector<double> values);
-
 }  // namespace hdconj::inspect
