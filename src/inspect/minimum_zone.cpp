@@ -12,12 +12,14 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/error.hpp"
 #include "numeric/dense.hpp"
 #include "numeric/least_squares.hpp"
+#include "numeric/quantile.hpp"
 #include "registration.hpp"
 
 namespace hdconj::inspect {
@@ -185,7 +187,7 @@ Eigen::VectorXd without_noise(std::vector<std::size_t> const& points, std::vecto
 ZoneError zone_error(Eigen::MatrixXd const& rows, Eigen::VectorXd const& smooth, double noise, int threads)
 {
     constexpr std::size_t repeats = 400;
-    constexpr std::ptrdiff_t percentile = 380;  // of the sizes in growing order, 0.95 (400 + 1)
+    constexpr double covered = 0.95;
     Eigen::Vector3d const centre = chebyshev_step(rows, smooth);
     std::vector<Eigen::Vector3d> errors(repeats);
     parallel_for(repeats, threads, 1, [&](std::size_t i) {
@@ -203,8 +205,7 @@ ZoneError zone_error(Eigen::MatrixXd const& rows, Eigen::VectorXd const& smooth,
         std::vector<double> sizes;
         for (Eigen::Vector3d const& error : errors)
             sizes.push_back(std::abs(error[k]));
-        std::nth_element(sizes.begin(), sizes.begin() + percentile, sizes.end());
-        found.half_width[k] = sizes[percentile];
+        found.half_width[k] = numeric::quantile(std::move(sizes), covered);
     }
     return found;
 }

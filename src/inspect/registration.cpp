@@ -14,6 +14,7 @@
 #include "common_errors.hpp"
 #include "hdconj/error.hpp"
 #include "numeric/least_squares.hpp"
+#include "numeric/quantile.hpp"
 
 namespace hdconj::inspect {
 namespace {
@@ -31,9 +32,7 @@ double median_distance(Registered const& what, double turn)
     std::vector<double> distances;
     for (std::size_t i = 0; i < what.points.size(); i += step)
         distances.push_back(std::abs(what.read(what.points[i], {turn, Vec2::Zero()}).deviation));
-    auto const middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-    std::ranges::nth_element(distances, middle);
-    return *middle;
+    return numeric::quantile(std::move(distances), 0.5);
 }
 
 [[noreturn]] void refuse_loose(Registration registration)

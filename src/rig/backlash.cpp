@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "cleaning.hpp"
+#include "numeric/quantile.hpp"
 
 namespace hdconj::rig {
 namespace {
@@ -177,13 +178,14 @@ double unloaded_torque(Samples const& samples, std::vector<LoadBranch> const& br
             }
         if (torques.empty())
             return std::nullopt;
-        double const middle = quantile(torques, 0.5);
+        double const middle = numeric::quantile(torques, 0.5);
         auto const crosses = [&](Place const& each) {
             return each.rising == rising && each.from < middle && middle < each.to;
         };
         auto const jumps = [&](double torque) { return std::abs(torque - middle) < reach.far / 2; };
         auto const crossing = std::ranges::count_if(places, crosses), jumping = std::ranges::count_if(torques, jumps);
-        return 3 * jumping >= 2 * crossing ? std::optional(Crossing{middle, quantile(apart, 0.5)}) : std::nullopt;
+        return 3 * jumping >= 2 * crossing ? std::optional(Crossing{middle, numeric::quantile(apart, 0.5)})
+                                           : std::nullopt;
     };
     std::optional<Crossing> const up = jump_of_all(true), down = jump_of_all(false);
     if (!up || !down)

@@ -8,6 +8,8 @@
 #include <span>
 #include <utility>
 
+#include "numeric/quantile.hpp"
+
 namespace hdconj::rig {
 namespace {
 
@@ -34,11 +36,11 @@ struct LocalLine
         for (std::size_t i = 0; i < values.size(); ++i)
             for (std::size_t j = 0; j < i; ++j)
                 slopes.push_back((values[i] - values[j]) / static_cast<double>(i - j));
-        slope = quantile(std::move(slopes), 0.5);
+        slope = numeric::quantile(std::move(slopes), 0.5);
         std::vector<double> heights;
         for (std::size_t i = 0; i < values.size(); ++i)
             heights.push_back(values[i] - slope * (first + static_cast<double>(i)));
-        at_zero = quantile(std::move(heights), 0.5);
+        at_zero = numeric::quantile(std::move(heights), 0.5);
     }
 
     /// How far most readings are from it.
@@ -47,7 +49,7 @@ struct LocalLine
         std::vector<double> distances;
         for (std::size_t i = 0; i < values.size(); ++i)
             distances.push_back(std::abs(values[i] - slope * (first + static_cast<double>(i)) - at_zero));
-        return quantile(std::move(distances), 0.5);
+        return numeric::quantile(std::move(distances), 0.5);
     }
 };
 
@@ -115,19 +117,12 @@ std::optional<Found> drift_between(Samples const& samples, LoadBranch const& ear
 
 }  // namespace
 
-double quantile(std::vector<double> values, double share)
-{
-    auto const at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
-    std::ranges::nth_element(values, at);
-    return *at;
-}
-
 double deviation_of(std::vector<double> values)
 {
     for (double& each : values)
         each = std::abs(each);
     constexpr double quartile = 1.1503;  // of |x| for standard normal x
-    return quantile(std::move(values), 0.75) / quartile;
+    return numeric::quantile(std::move(values), 0.75) / quartile;
 }
 
 double smallest_step(std::vector<double> values)

@@ -10,9 +10,6 @@
 
 namespace hdconj::rig {
 
-/// The value that a share of the others lie below. Domain: not empty.
-[[nodiscard]] double quantile(std::vector<double> values, double share);
-
 /// Standard deviation of normal noise about zero by the upper quartile of its size, on which a fifth of strays has
 /// little influence. The median would be zero for readings in coarse steps. Domain: not empty.
 [[nodiscard]] double deviation_of(std::vector<double> values);

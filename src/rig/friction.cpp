@@ -8,6 +8,7 @@
 
 #include "cleaning.hpp"
 #include "found.hpp"
+#include "numeric/quantile.hpp"
 
 namespace hdconj::rig {
 namespace {
@@ -68,7 +69,7 @@ Found friction_torque(Samples const& samples, std::vector<LoadBranch> const& bra
         std::vector<double> const own = half_differences(angles[b], angles[b + 1], branches[b].rising);
         if (own.empty())
             continue;
-        pairs.push_back({quantile(own, 0.5)});
+        pairs.push_back({numeric::quantile(own, 0.5)});
         halves.insert(halves.end(), own.begin(), own.end());
     }
     if (halves.empty())
@@ -83,7 +84,7 @@ Found friction_torque(Samples const& samples, std::vector<LoadBranch> const& bra
     std::size_t const most = std::ranges::max(angles, {}, &std::vector<SameAngle>::size).size();
     double const by_rounding = of_neighbours * step / std::sqrt(12.0) * range(samples.torque) / range(samples.twist) /
                                std::sqrt(static_cast<double>(most));
-    double const median = quantile(halves, 0.5), n = static_cast<double>(halves.size());
+    double const median = numeric::quantile(halves, 0.5), n = static_cast<double>(halves.size());
     for (double& each : halves)
         each -= median;
     constexpr double of_median = 1.2533;  // its standard error over that of the mean, of normal noise

@@ -8,6 +8,7 @@
 #include "elastic/bent_cup.hpp"
 #include "load/model/cup_shape.hpp"
 #include "load/study/bearing_map.hpp"
+#include "numeric/quantile.hpp"
 
 namespace hdconj::load {
 namespace {
@@ -81,14 +82,6 @@ double displacement_distance(AssembledDrive const& fine, AssembledDrive const& c
     return worst;
 }
 
-/// The middle one of @p values. Domain: at least one.
-double median(std::vector<double> values)
-{
-    auto const middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
-
 /// Of the drive whose figures are compared.
 struct Scales
 {
@@ -111,7 +104,7 @@ LoadedState error_of(LoadedState const& a, std::vector<LoadedState> const& coars
     for (ErrorRule const& rule : error_rules)
         if (rule.usual * scale(rule) > 0)
             over_usual.push_back(difference(rule.figure) / (rule.usual * scale(rule)));
-    double const spread = median(over_usual);
+    double const spread = numeric::quantile(over_usual, 0.5);
     LoadedState d;
     for (ErrorRule const& rule : error_rules)
         d.*rule.figure = rule.factor * safety * std::max(difference(rule.figure), spread * rule.least * scale(rule));
