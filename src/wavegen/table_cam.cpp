@@ -6,6 +6,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_spline.h>
 #include <algorithm>
+#include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -67,13 +68,10 @@ double TableCam::Cubic::largest(double h) const
 {
     auto const value = [&](double d) { return c0 + d * (c1 + d * (c2 + d * c3)); };
     double found = value(0);
-    double const root = c2 * c2 - 3 * c1 * c3;
-    if (root >= 0)
-        for (double sign : {-1.0, 1.0}) {
-            double const d = (-c2 + sign * std::sqrt(root)) / (3 * c3);
-            if (d > 0 && d < h)
-                found = std::max(found, value(d));
-        }
+    auto const [first, second] = boost::math::tools::quadratic_roots(3 * c3, 2 * c2, c1);  // not numbers where none
+    for (double const d : {first, second})
+        if (d > 0 && d < h)
+            found = std::max(found, value(d));
     return found;
 }
 

@@ -287,6 +287,27 @@ TEST_CASE("table: the spline tends to its cam with h^4 and its curvature with h^
     CHECK(cosine_table(80, 3, type50_w0).breaks().size() == 80);
 }
 
+TEST_CASE("table: the largest displacement is that of the spline, wherever its rows stand", "[wavegen]")
+{
+    for (int const waves : {2, 3}) {
+        double const step = 2 * pi / waves / 10;
+        for (double const shift : {0.5, 0.4999, 0.1, 0.0}) {
+            INFO(waves << " waves, rows off the peak by " << shift << " of their distance");
+            std::vector<double> angles, values;
+            for (int i = 0; i < 10; ++i) {
+                angles.push_back((i + shift) * step);
+                values.push_back(0.84 * std::cos(waves * angles.back()) + 0.02 * std::cos(2 * waves * angles.back()));
+            }
+            wavegen::TableCam const cam(angles, values, waves);
+            double largest = 0;
+            constexpr int places = 20001;
+            for (int i = 0; i < places; ++i)
+                largest = std::max(largest, cam((i - places / 2) * step / places).w);
+            CHECK(cam.amplitude() == Approx(largest).epsilon(1e-8));
+        }
+    }
+}
+
 TEST_CASE("table: a row at the seam of the wave that conversion between units has moved stays there", "[wavegen]")
 {
     double const seam = std::numbers::pi / 2;
