@@ -164,9 +164,11 @@ NominalFlank::NominalFlank(profile::Profile flank, bool root_first, bool space)
       root_first_(root_first),
       space_(space)
 {
+    constexpr double margin = 1.125;  // a point of a piece is no farther from its start than the piece is long
     double length = 0;
     for (auto const& piece : flank_->pieces) {
-        starts_.push_back(profile::start_of(piece.shape).point);
+        double const reach = margin * length_to(piece.shape, 1);
+        starts_.push_back({profile::start_of(piece.shape).point, reach * reach});
         ends_.push_back(length += length_to(piece.shape, 1));
     }
 }
@@ -181,21 +183,21 @@ FlankFoot NominalFlank::operator()(Vec2 const& p) const
 
 double NominalFlank::arc_length(Vec2 const& foot) const
 {
-    double least = std::numeric_limits<double>::infinity(), at = 0;
-    for (std::size_t i = 0; i < ends_.size(); ++i) {
-        PieceShape const& shape = shape_of(*flank_, i);
-        // a point of the piece is no farther from its start than the piece is long
-        constexpr double margin = 2;
-        double const piece_length = ends_[i] - (i == 0 ? 0 : ends_[i - 1]);
-        if (std::isfinite(least) && (starts_[i] - foot).norm() > margin * piece_length)
+    double least = std::numeric_limits<double>::infinity(), nearest_t = 0;
+    std::size_t nearest = 0;
+    for (std::size_t i = 0; i < starts_.size(); ++i) {
+        if ((starts_[i].point - foot).squaredNorm() > starts_[i].squared_reach)
             continue;
+        PieceShape const& shape = shape_of(*flank_, i);
         double const t = local_parameter(shape, foot);
         double const away = (profile::point_at(shape, t) - foot).squaredNorm();
         if (away < least) {
             least = away;
-            at = (i == 0 ? 0 : ends_[i - 1]) + length_to(shape, t);
+            nearest = i;
+            nearest_t = t;
         }
     }
+    double const at = (nearest == 0 ? 0 : ends_[nearest - 1]) + length_to(shape_of(*flank_, nearest), nearest_t);
     return root_first_ ? at : length() - at;
 }
 

@@ -40,10 +40,16 @@ class NominalFlank
     [[nodiscard]] std::vector<double> joints() const;
 
   private:
+    struct PieceStart
+    {
+        Vec2 point;
+        double squared_reach;  ///< of a disc about the point that holds the piece [mm^2]
+    };
+
     std::unique_ptr<profile::Profile const> flank_;  ///< at a fixed place: the distance points into it
     distance::ToothDistance distance_;
-    std::vector<Vec2> starts_;  ///< of the pieces, in the order of the profile
-    std::vector<double> ends_;  ///< arc length at the end of each piece, in the order of the profile
+    std::vector<PieceStart> starts_;  ///< in the order of the profile
+    std::vector<double> ends_;        ///< arc length at the end of each piece, in the order of the profile
     Vec2 first_, last_;
     bool root_first_, space_;
 };
