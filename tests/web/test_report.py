@@ -761,6 +761,20 @@ class Reports(unittest.TestCase):
             paper = page.pdf(format="A4")
             self.assertTrue(paper.startswith(b"%PDF"))
             self.assertGreater(paper.count(b"/Type /Page"), 2)
+        with Page(contact_page(), color_scheme="dark") as page:  # a dark page is light on paper, with its colours
+            settled(page)
+            paper = "getComputedStyle(document.body).backgroundColor"
+            screen = page.evaluate(paper)
+            corner = page.evaluate(  # of the picture, at once: nothing is drawn again while the page is printed
+                "window.dispatchEvent(new Event('beforeprint')), Array.from("
+                "document.querySelector('canvas.mesh').getContext('2d').getImageData(1, 1, 1, 1).data)")
+            self.assertEqual(page.evaluate(paper), "rgb(255, 255, 255)")
+            self.assertEqual(corner, [255, 255, 255, 255])
+            page.emulate_media(media="print")
+            self.assertEqual(page.evaluate("getComputedStyle(document.body).printColorAdjust"), "exact")
+            self.assertEqual(page.locator("input[type=range]:visible").count(), 0)
+            page.evaluate("window.dispatchEvent(new Event('afterprint'))")
+            self.assertEqual(page.evaluate(paper), screen)
         with Page(two_drives(), java_script_enabled=False) as page:
             picture = page.locator("svg.static").first
             self.assertTrue(picture.is_visible())

@@ -20,13 +20,17 @@ const app = /** @type {HTMLElement} */ (document.getElementById("app"));
 
 const themes = ["light", "dark"];
 const darkWanted = matchMedia("(prefers-color-scheme: dark)").matches;
-/** @param {number} index */
-function setTheme(index) {
-  document.documentElement.dataset.theme = themes[index];
-  remember("dark", index);
+/** @param {string|undefined} theme */
+function showTheme(theme) {
+  document.documentElement.dataset.theme = theme;
   document.dispatchEvent(new Event("themechange"));
 }
-document.documentElement.dataset.theme = themes[remembered("dark", darkWanted ? 1 : 0) ? 1 : 0];
+/** @param {number} index */
+function setTheme(index) {
+  remember("dark", index);
+  showTheme(themes[index]);
+}
+showTheme(themes[remembered("dark", darkWanted ? 1 : 0) ? 1 : 0]);
 
 /** Drives that the page should show and does not; null where there are none. */
 function failedDrives() {
@@ -65,7 +69,12 @@ function makeNow(place) {
   observer.unobserve(place);
   if (build) build();
 }
-window.addEventListener("beforeprint", () => [...later.keys()].forEach(makeNow));
+window.addEventListener("beforeprint", () => {  // paper is light
+  const ofScreen = document.documentElement.dataset.theme;
+  window.addEventListener("afterprint", () => showTheme(ofScreen), { once: true });
+  showTheme("light");
+  [...later.keys()].forEach(makeNow);
+});
 
 /** @param {string} id @param {string} title @param {() => Node|null} build */
 function section(id, title, build) {

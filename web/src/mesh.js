@@ -184,7 +184,7 @@ function teethView(drive, loaded, show) {
   });
   onTheme(canvas, () => {
     painter.colours();
-    draw();
+    painter.paint(ctx, view, s);  // at once: the page may be about to be printed
   });
 
   /** @param {string} text @param {() => void} act */
