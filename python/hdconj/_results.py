@@ -9,6 +9,7 @@ import os
 from typing import Any, NamedTuple, Self
 
 from . import _core, _hdf5
+from ._errors import Fault, InputError, fault_text
 from ._scene import Scene
 from ._tree import Figure, Group, Parts
 
@@ -115,7 +116,17 @@ class Result(Group):
         return found
 
     def to_hdf5(self, file: str | os.PathLike[str]) -> None:
-        """Write the result file that the program would write, by h5py."""
+        """Write the result file that the program would write, by h5py.
+
+        Raises
+        ------
+        InputError
+            Of a :class:`Design`, which is a scene: write ``design.scene.to_toml()``, its rows are in :meth:`json`.
+        """
+        if isinstance(self, Design):
+            reason, remedy = "a Design has no result file", "write design.scene.to_toml(), or solve(design.scene)"
+            faults = (Fault("result", 0, "Design", reason, remedy),)
+            raise InputError(faults, fault_text(faults))
         _hdf5.write(self, file)
 
     def report(self, file: str | os.PathLike[str]) -> None:
@@ -209,6 +220,10 @@ class Result(Group):
         from . import _plot
 
         return _plot.draw(self, ax)
+
+    def __bool__(self) -> bool:
+        """True: a result that has no groups is one too."""
+        return True
 
     def __repr__(self) -> str:
         return f"<hdconj.{type(self).__name__} of {self._scene.name!r}>"

@@ -308,15 +308,16 @@ Words run_report(std::vector<ReportSource> const& sources, std::string const& fi
 nb::tuple run_design(DesignWishes const& wishes, nb::handle observer)
 {
     refuse(check_design(wishes));
-    Design design = run(observer, [&](Observer const& told) {
+    std::string scene;
+    auto result = run(observer, [&](Observer const& told) {
         Design made = design_drive(wishes, [&](std::string const& what) { told.tell(what, std::nullopt); });
         Scene const type_50 = builtin_scene();
         if (is_like(made, type_50))
             made.differences = differences(made, type_50);
-        return made;
+        scene = scene_text(made);
+        return result_of(std::move(made));
     });
-    nb::str const scene = text_of(scene_text(design));
-    return nb::make_tuple(scene, result_of(std::move(design)));
+    return nb::make_tuple(text_of(scene), std::move(result));
 }
 
 void add_wishes(nb::module_& module)

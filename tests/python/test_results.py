@@ -236,6 +236,10 @@ def test_plot_of_a_neutral_curve_and_of_a_design(tmp_path):
     designed = hdconj.design(100, diameter=50)
     with pytest.raises(hdconj.InputError, match="Design has no drawing"):
         designed.plot()
+    with pytest.raises(hdconj.InputError, match="Design has no result file"):
+        designed.to_hdf5(tmp_path / "design.h5")
+    assert not (tmp_path / "design.h5").exists()
+    assert designed and designed.wall_seconds > 0
 
 
 def test_a_designed_name_is_quoted_as_toml_wants_it():
