@@ -80,7 +80,8 @@ Rows<LoadCase> load_case_figures()
         figure<&T::stages, &Stages::knee>("knee", newton_metre, "torque where the lines meet",
                                           {"knee", table_number, two_digits})
             .with_error<&T::stages, &Stages::knee_error>(),
-        figure<&T::stages, &Stages::knee_twist>("knee_twist", arcmin, "twist where the lines meet"),
+        figure<&T::stages, &Stages::knee_twist>("knee_twist", arcmin, "twist where the lines meet")
+            .with_error<&T::stages, &Stages::knee_twist_error>(),
         figure<&T::stages, &Stages::rms>("stages_rms", newton_metre,
                                          "root mean square of the distance between curve and lines, in torque",
                                          {"off the curve", significant<2>}),

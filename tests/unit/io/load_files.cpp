@@ -66,6 +66,7 @@ TEST_CASE("load numbers come back from HDF5 bit for bit", "[load]")
              {"knee", [](auto const& c) { return c.stages.knee; }},
              {"knee_error", [](auto const& c) { return c.stages.knee_error; }},
              {"knee_twist", [](auto const& c) { return c.stages.knee_twist; }},
+             {"knee_twist_error", [](auto const& c) { return c.stages.knee_twist_error; }},
              {"stages_rms", [](auto const& c) { return c.stages.rms; }},
              {"side_clearance_increased", [](auto const& c) { return c.side_clearance_increased ? 1.0 : 0.0; }},
              {"cleared", [](auto const& c) { return c.cleared ? 1.0 : 0.0; }},
