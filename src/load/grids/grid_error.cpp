@@ -244,7 +244,9 @@ void estimate_errors(contact::ContactContext const& context, DriveGrids const& d
     cup.coning_minor_error =
         coning_error(&AssembledCup::coning_minor, std::numbers::pi / context.scene.wave_generator.waves);
     constexpr double force = 0.85, ball = 0.25;  // they converge faster than the shape
-    cup.wave_generator_force_error = force * safety * difference(&AssembledCup::wave_generator_force);
+    constexpr double least_force = 0.005;        // of it: grids agree by chance, and share their harmonics
+    cup.wave_generator_force_error = std::max(force * safety * difference(&AssembledCup::wave_generator_force),
+                                              least_force * std::abs(cup.wave_generator_force));
     cup.ball_force_error = ball * safety * std::max(grid_difference(0, balls), difference(&AssembledCup::ball_force));
     std::vector<double> stress(coarser.size());
     std::ranges::transform(coarser, stress.begin(), &AssembledCup::largest_stress);
