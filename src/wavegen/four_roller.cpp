@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/wavegen/four_roller.hpp"
+
+#include <cmath>
+
+#include "base/text.hpp"
 #include "hdconj/units.hpp"
 
 namespace hdconj::wavegen {
@@ -27,13 +31,25 @@ FourRoller FourRoller::build(scene::FamilyChoice const& choice, WaveGeneratorPla
                                      "write 2 or 3"));
         return {};
     }
-    if (!(place.waves * beta < std::numbers::pi / 2)) {
-        faults.push_back(scene::parameter_fault(
-            choice, key, "rollers this far from the major axis press the ring flat where it should bulge",
-            "write less than " + std::to_string(90 / place.waves) + " (25 to 35 are usual)"));
+    FourRoller const shape(choice.number_or(radial_deformation, 0), beta, place.waves);
+    if (!shape.is_largest_on_axis()) {
+        constexpr double step = 0.1;
+        double largest = std::floor(to_deg(shape.h_) / step);
+        while (!FourRoller(1, from_deg(largest * step), place.waves).is_largest_on_axis())
+            --largest;
+        std::string const value = short_number(largest * step), usual = short_number(60.0 / place.waves);
+        scene::ParameterFaults(choice, faults)(
+            key,
+            "between rollers this far from the major axis the ring sinks in, and reaches out farthest beside the axis",
+            "write at most " + value + " (" + usual + " is usual)", value);
         return {};
     }
-    return {choice.number_or(radial_deformation, 0), beta, place.waves};
+    return shape;
+}
+
+bool FourRoller::is_largest_on_axis() const
+{
+    return h_ > beta_ && one_force(beta_).w2 < 0;
 }
 
 }  // namespace hdconj::wavegen

@@ -20,7 +20,9 @@ namespace hdconj::wavegen {
 ///   G = -1/2 + E ((1 + h cot h) cos y + y sin y),   E = h/(4 sin h),
 /// the periodic solution of (D^2 + 1)^2 G = (pi/n) delta - 1/2. For n = 2, beta = 0: w(90 deg)/w0 = -0.91828, the ring
 /// under two opposite forces. The mean of w is 0 to first order. w''' jumps at the forces: these are the breaks.
-/// Domain: n >= 2 (one force moves a ring as a whole), 0 <= n beta < 90 deg. Accuracy: a few roundings of w0.
+/// The largest w is w0, at u = 0, where G''(beta) < 0: up to beta = 40.70 deg for n = 2 and 26.18 deg for n = 3. With
+/// rollers farther apart the ring sinks in between them.
+/// Domain: n >= 2 (one force moves a ring as a whole), beta >= 0, G''(beta) < 0. Accuracy: a few roundings of w0.
 class FourRoller
 {
   public:
@@ -53,6 +55,10 @@ class FourRoller
                                           Faults& faults);
 
   private:
+    /// Whether w has its maximum at u = 0: G bends outwards up to a place on either side of a force and inwards from
+    /// there on, so that S, which is even, is largest at 0 where G''(beta) < 0, and nowhere else.
+    [[nodiscard]] bool is_largest_on_axis() const;
+
     /// G and its derivatives.
     [[nodiscard]] RadialDisplacement one_force(double x) const
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
 /// Bad parameters of the wave generators: each is refused with its key, the reason and a remedy.
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <string>
@@ -10,6 +11,7 @@
 #include "hdconj/read_scene.hpp"
 #include "hdconj/solve.hpp"
 #include "hdconj/units.hpp"
+#include "hdconj/wavegen/four_roller.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -47,9 +49,12 @@ std::vector<Bad> const table{
     {{family + "ellipse", "wave_generator.roller_angle_deg=30"}, "wave_generator.roller_angle_deg", "unknown"},
     {{family + "four-roller"}, "wave_generator.roller_angle_deg", "missing"},
     {{family + "four-roller", "wave_generator.roller_angle_deg=-1"}, "wave_generator.roller_angle_deg", ""},
-    {{family + "four-roller", "wave_generator.roller_angle_deg=45"},
+    {{family + "four-roller", "wave_generator.roller_angle_deg=45"}, "wave_generator.roller_angle_deg", "at most 40.7"},
+    {{family + "four-roller", "wave_generator.roller_angle_deg=40.8"}, "wave_generator.roller_angle_deg", "sinks in"},
+    {{family + "four-roller", "wave_generator.roller_angle_deg=26.2", "wave_generator.waves=3",
+      "drive.circular_spline_teeth=203"},
      "wave_generator.roller_angle_deg",
-     "press the ring flat"},
+     "at most 26.1"},
     {{family + "four-roller", "wave_generator.roller_angle_deg=30", "wave_generator.waves=1"},
      "wave_generator.waves",
      "as a whole"},
@@ -119,6 +124,31 @@ TEST_CASE("bad wave generators are refused by key and reason", "[wavegen][scene]
         }
         INFO(all);
         CHECK(found);
+    }
+}
+
+TEST_CASE("rollers are refused from where their largest displacement leaves the major axis", "[wavegen][scene]")
+{
+    constexpr double half_turn = 180;
+    for (int const waves : {2, 3}) {
+        std::vector<std::string> const drive{family + "four-roller", "wave_generator.waves=" + std::to_string(waves),
+                                             "drive.circular_spline_teeth=" + std::to_string(200 + waves)};
+        for (double angle = 0; angle < half_turn / waves / 2; angle += 0.25) {
+            std::vector<std::string> keys = drive;
+            keys.push_back("wave_generator.roller_angle_deg=" + std::to_string(angle));
+            Faults const faults = faults_of(keys);
+            wavegen::FourRoller const shape(1, from_deg(angle), waves);
+            double largest = 0;
+            for (double u = 0; u < half_turn / waves; u += 0.1)
+                largest = std::max(largest, shape(from_deg(u)).w);
+            CAPTURE(waves, angle, largest);
+            REQUIRE(faults.empty() == (largest < 1 + 1e-9));
+            if (faults.empty())
+                continue;
+            REQUIRE(faults.front().path == "wave_generator.roller_angle_deg");
+            keys.insert(keys.end(), faults.front().set.begin(), faults.front().set.end());
+            CHECK(faults_of(keys).empty());
+        }
     }
 }
 
