@@ -79,6 +79,7 @@ void see_from_flexspline(StudyDrive& drive)
     drive.seat_radius = drive::given_tooth_seat(g, drive.tooth);
     drive.limits.tip = g.pitch_line + g.addendum;
     drive.limits.root = g.pitch_line - g.dedendum;
+    drive.limits.addendum = g.addendum;
     drive.limits.half_width = std::numbers::pi / drive.scene.drive.flexspline_teeth * (g.r_m + drive.limits.root);
     drive.flexspline = drive.motions;
     drive.motions.clear();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include "base/text.hpp"
@@ -114,15 +115,16 @@ void SweptPolygons::add_wall(double x, double y, double margin)
     add_one(-1, 0, {{x, y}, {x, low}}, {y, low});
 }
 
-double SweptPolygons::lowest_on_axis() const
+double SweptPolygons::lowest_at(std::initializer_list<double> places) const
 {
     double lowest = std::numeric_limits<double>::infinity();
     for (auto const& polygon : polygons_) {
         for (std::size_t k = 0; k + 1 < polygon.size(); ++k) {
             Vec2 const& a = polygon[k];
             Vec2 const& b = polygon[k + 1];
-            if ((a.x() < 0) != (b.x() < 0))
-                lowest = std::min(lowest, a.y() - a.x() / (b.x() - a.x()) * (b.y() - a.y()));
+            for (double const x : places)
+                if ((a.x() < x) != (b.x() < x))
+                    lowest = std::min(lowest, a.y() + (x - a.x()) / (b.x() - a.x()) * (b.y() - a.y()));
         }
     }
     return lowest;
@@ -154,10 +156,11 @@ double SweptPolygons::radius_between_spaces() const
 
 std::optional<double> SweptPolygons::radius_of_land(double tip) const
 {
-    constexpr double half_land = 0.07;  // of the pitch
     double const angle = (0.5 - half_land) * pitch_;
-    double const radius = radius_at({-angle, angle}), deepest = radius_at({0.0});
-    return radius > tip && radius - tip <= (deepest - tip) / 2 ? std::optional(radius) : std::nullopt;
+    double const radius = radius_at({-angle, angle}), deepest = radius_at({0.0}),
+                 half_module = radius * pitch_ / (2 * std::numbers::pi);
+    bool const is_deep = deepest - radius >= std::min((deepest - tip) / 2, half_module);
+    return radius > tip && is_deep ? std::optional(radius) : std::nullopt;
 }
 
 std::vector<std::string> SweptPolygons::wider_tip(double tip) const

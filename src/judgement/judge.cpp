@@ -25,8 +25,6 @@ Notes all_of(std::initializer_list<std::optional<Note>> checks)
     return notes;
 }
 
-std::string const tip_circle = "circular_spline.inner_radius=", deformation_key = ".radial_deformation=";
-
 }  // namespace
 
 std::optional<std::string> value_in(std::vector<std::string> const& set, std::string const& key)
@@ -35,6 +33,19 @@ std::optional<std::string> value_in(std::vector<std::string> const& set, std::st
         if (auto const at = each.find(key); at != std::string::npos)
             return each.substr(at + key.size());
     return std::nullopt;
+}
+
+void rewrite_value(std::string const& key, std::string const& value, std::string& words, std::vector<std::string>& set)
+{
+    for (std::string& each : set) {
+        auto const at = each.find(key);
+        if (at == std::string::npos)
+            continue;
+        std::string const before = each.substr(at + key.size());
+        if (auto const told = words.find(before); told != std::string::npos)
+            words.replace(told, before.size(), value);
+        each.replace(at + key.size(), before.size(), value);
+    }
 }
 
 Notes notes_on(UnsolvedPair const& pair)
@@ -71,7 +82,7 @@ void judge_narrow_space_again(Notes& notes, Scene const& scene, Solution const& 
 void raise_tip_circle(UnsolvedPair const& pair, std::vector<std::string> const& wanted, std::string& words,
                       std::vector<std::string>& set)
 {
-    auto const from = value_in(wanted, tip_circle), to = value_in(set, tip_circle),
+    auto const from = value_in(wanted, tip_circle_key), to = value_in(set, tip_circle_key),
                before = value_in(wanted, deformation_key), after = value_in(set, deformation_key);
     if (!from || !to || (before && !after))
         return;
@@ -86,9 +97,7 @@ void raise_tip_circle(UnsolvedPair const& pair, std::vector<std::string> const& 
     }
     if (!(std::stod(value) > std::stod(*to)))
         return;
-    if (auto const at = words.find(*to); at != std::string::npos)
-        words.replace(at, to->size(), value);
-    std::ranges::replace(set, tip_circle + *to, tip_circle + value);
+    rewrite_value(tip_circle_key, value, words, set);
 }
 
 void agree_on_tip_circle(UnsolvedPair const& pair, Notes& notes)

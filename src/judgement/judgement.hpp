@@ -56,9 +56,15 @@ void judge_late_mesh_again(Notes& notes, Scene const& scene);
 /// it.
 void judge_narrow_space_again(Notes& notes, Scene const& scene, Solution const& solution);
 
-/// What @p set, arguments of --set, writes for the key that ends with @p key, ".radial_deformation="; nothing where it
-/// does not write it.
+/// Ends of what arguments of --set write, for value_in() and rewrite_value().
+inline constexpr char const *tip_circle_key = "circular_spline.inner_radius=", *addendum_key = "flexspline.addendum=",
+                            *deformation_key = ".radial_deformation=";
+
+/// What @p set, arguments of --set, writes for the key that ends with @p key; nothing where it does not write it.
 [[nodiscard]] std::optional<std::string> value_in(std::vector<std::string> const& set, std::string const& key);
+
+/// Where @p set writes the key that ends with @p key, it writes @p value from now on, and so do @p words.
+void rewrite_value(std::string const& key, std::string const& value, std::string& words, std::vector<std::string>& set);
 
 /// Where several of @p notes on @p pair write the tip circle, each writes the largest of them, as raise_tip_circle()
 /// takes it over.

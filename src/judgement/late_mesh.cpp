@@ -117,14 +117,24 @@ std::optional<Note> late_mesh(UnsolvedPair const& pair)
     if (closer > 0)
         note->cause += "; the tilt makes the tip circle of one end " + short_number(closer, 3) + " mm smaller";
     // where they would leave it within the usual range
-    double const wanted =
-        std::max(g.circular_spline_inner_radius + growth_to_leave(pair, lobe, limit_of(note->code).usual.high),
-                 scene::usual_tip_radius(pair.scene, g.w0).value_or(0) + closer);
-    std::string const radius = short_number(wanted + 0.01 * pair.scene.drive.module, 6);
+    double const growth = growth_to_leave(pair, lobe, limit_of(note->code).usual.high),
+                 margin = 0.01 * pair.scene.drive.module;
     if (pair.scene.is_reverse()) {
-        note->advice = "write a smaller flexspline.addendum";
+        double const wanted =
+            std::min(g.addendum - growth, scene::usual_addendum(pair.scene, g.w0).value_or(g.addendum) - closer) -
+            margin;
+        std::string const other = "a smaller circular_spline.profile.addendum or a larger radial deformation";
+        note->advice = "write " + other;
+        if (wanted > 0) {
+            std::string const addendum = at_most_text(wanted);
+            note->advice = "write flexspline.addendum = " + addendum + ", " + other;
+            note->set = {"flexspline.addendum=" + addendum};
+        }
         return note;
     }
+    double const wanted = std::max(g.circular_spline_inner_radius + growth,
+                                   scene::usual_tip_radius(pair.scene, g.w0).value_or(0) + closer);
+    std::string const radius = short_number(wanted + margin, 6);
     note->advice =
         "write circular_spline.inner_radius = " + radius + ", or a smaller addendum" + (closer > 0 ? " or tilt" : "");
     note->set = {"circular_spline.inner_radius=" + radius};

@@ -10,6 +10,13 @@
 namespace hdconj::judgement {
 namespace {
 
+/// Whether @p note is of a radial deformation above the usual one, at which tips that are given would overlap still
+/// more.
+bool helps_given_tips(Note const& note)
+{
+    return note.code == NoteCode::deformation && note.figure > 1 && value_in(note.set, addendum_key);
+}
+
 /// What is far from usual in @p pair, which ended with @p error, and can be written otherwise: causes in words, and the
 /// advice.
 std::pair<std::string, scene::Advice> likely_cause(NumericalError const& error, UnsolvedPair const& pair)
@@ -21,10 +28,11 @@ std::pair<std::string, scene::Advice> likely_cause(NumericalError const& error, 
     bool deformed = false;
     for (Note const& note : notes_on(pair)) {
         bool const far = note.severity == Severity::warning || note.code == NoteCode::deformation;
-        if (!far || note.set.empty() || note.code == NoteCode::wall_stress)  // stress spoils no geometry
-            continue;
+        bool const has_remedy = !note.set.empty() || note.code == NoteCode::late_mesh;
+        if (!far || !has_remedy || helps_given_tips(note) || note.code == NoteCode::wall_stress)
+            continue;  // stress spoils no geometry
         // tip circle and stress come with the deformation
-        bool const said = std::find(advice.set.begin(), advice.set.end(), note.set.front()) != advice.set.end();
+        bool const said = !note.set.empty() && std::ranges::find(advice.set, note.set.front()) != advice.set.end();
         if (said || (note.code == NoteCode::late_mesh && (deformed || !any_tip_circle)))
             continue;
         deformed = deformed || note.code == NoteCode::deformation;
@@ -33,6 +41,18 @@ std::pair<std::string, scene::Advice> likely_cause(NumericalError const& error, 
         advice.set.insert(advice.set.end(), note.set.begin(), note.set.end());
     }
     return {cause, advice};
+}
+
+/// Whether @p advice and @p error both write the addendum for the radial deformation of the pair; the smaller one
+/// stays.
+bool agree_on_addendum(NumericalError const& error, scene::Advice& advice)
+{
+    auto const first = value_in(error.set(), addendum_key), second = value_in(advice.set, addendum_key);
+    if (!first || !second || value_in(advice.set, deformation_key))
+        return false;
+    if (std::stod(*first) < std::stod(*second))
+        rewrite_value(addendum_key, *first, advice.words, advice.set);
+    return true;
 }
 
 /// What @p error advises, and the usual radial deformation where that of @p pair is another and the error has found no
@@ -57,7 +77,7 @@ NumericalError with_likely_cause(NumericalError const& error, UnsolvedPair const
     if (!error.is_infeasible())
         return error;
     auto [cause, advice] = likely_cause(error, pair);
-    if (advice.set.empty())
+    if (cause.empty())
         advice = with_deformation(error, pair);
     else {
         cause = "likely because " + cause;
@@ -65,7 +85,10 @@ NumericalError with_likely_cause(NumericalError const& error, UnsolvedPair const
         bool const clears = value_in(error.set(), "circular_spline.backlash_offset=").has_value();
         if (clears)  // any other tip circle or deformation is helped by that
             advice.set.push_back(error.set().front());
-        advice.words += error.remedy().empty() ? "" : (clears ? "; " : "; or ") + error.remedy();
+        if (advice.set.empty())
+            advice.set = error.set();
+        if (!error.remedy().empty() && !agree_on_addendum(error, advice))
+            advice.words += (clears ? "; " : "; or ") + error.remedy();
     }
     scene::Advice flank;
     scene::add_pressure_angle(pair.scene, flank);

@@ -34,6 +34,8 @@ void Advice::add(std::string const& key, std::string const& value)
 
 namespace {
 
+constexpr double parting = 0.8;  // of the deformation, by which tips at the minor axis are nearer to the axis
+
 /// Adds the tip circle that goes with the radial deformation @p w0; one that was given for another is left out. One
 /// that is wider than what goes with either, for the lands' sake, stays where it leaves half of the working depth.
 void add_tip_circle(Scene const& scene, double w0, Advice& advice)
@@ -61,9 +63,23 @@ void add_deformation(Scene const& scene, double w0, Advice& advice)
 {
     advice.add(scene.wave_generator.shape.path + ".radial_deformation", short_number(w0));
     add_tip_circle(scene, w0, advice);
+    if (auto const largest = usual_addendum(scene, w0); largest && scene.flexspline.addendum > *largest)
+        advice.add("flexspline.addendum", at_most_text(*largest));
 }
 
 }  // namespace
+
+std::optional<double> usual_addendum(Scene const& scene, double w0)
+{
+    if (!scene.is_reverse() || scene.flexspline.inner_radius)
+        return std::nullopt;
+    auto const given = scene.given_profile().number("addendum");
+    double const radius = flexspline_pitch_radius(scene.drive);
+    if (!given)
+        return std::nullopt;
+    double const largest = scene.circular_spline.inner_radius.value_or(radius + w0 - *given) - radius + parting * w0;
+    return largest > 0 ? std::optional(largest) : std::nullopt;
+}
 
 std::optional<double> usual_tip_radius(Scene const& scene, double w0)
 {
@@ -76,7 +92,7 @@ std::optional<double> usual_tip_radius(Scene const& scene, double w0)
 
 double usual_tip_radius(Drive const& drive, double addendum, double dedendum, double w0)
 {
-    constexpr double parting = 0.8, rim = 0.05;  // of the deformation; modules
+    constexpr double rim = 0.05;  // modules
     double const radius = flexspline_pitch_radius(drive);
     return std::max(
         {radius + w0 - addendum, radius + addendum - parting * w0, radius + w0 - dedendum + rim * drive.module});

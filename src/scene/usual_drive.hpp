@@ -45,6 +45,9 @@ struct Advice
 [[nodiscard]] std::optional<double> usual_tip_radius(Scene const& scene, double w0);
 /// The same of a tooth with these heights.
 [[nodiscard]] double usual_tip_radius(Drive const& drive, double addendum, double dedendum, double w0);
+/// The largest addendum of the flexspline's tooth with which the tips of a given circular spline leave it in time, at
+/// the radial deformation @p w0; nothing where none does or the addendum of the given tooth is not a key. [mm]
+[[nodiscard]] std::optional<double> usual_addendum(Scene const& scene, double w0);
 
 /// Torque that drives of this size carry, in N m and words: 28 at a pitch diameter of 50 mm, with its cube.
 [[nodiscard]] std::string usual_torque(Drive const& drive);
@@ -56,7 +59,8 @@ struct Advice
 /// deformation and tip circle that go with them. @param kept  a radial deformation that stays where it is usual
 [[nodiscard]] Advice usual_pair(Scene const& scene, std::optional<double> kept);
 
-/// The radial deformation @p w0 [mm] and the tip circle that goes with it; empty where the deformation is no key.
+/// The radial deformation @p w0 [mm] and the tip circle, or where that is given the addendum, that goes with it; empty
+/// where the deformation is no key.
 [[nodiscard]] Advice with_deformation(Scene const& scene, double w0);
 
 /// The addendum @p addendum [mm] and a given tip circle that moves as the usual one does at the radial deformation @p

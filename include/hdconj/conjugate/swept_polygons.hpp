@@ -30,6 +30,9 @@ void for_runs(std::size_t count, Wanted const& wanted, Take const& take)
 class SweptPolygons
 {
   public:
+    /// Half of the land that advice leaves, in pitches.
+    static constexpr double half_land = 0.07;
+
     /// @param pitch  angle between neighbouring teeth of the circular spline [rad]
     explicit SweptPolygons(double pitch) : pitch_(pitch) {}
 
@@ -59,8 +62,8 @@ class SweptPolygons
     /// Adds a straight wall at @p x from the height @p y down to below all polygons.
     void add_wall(double x, double y, double margin);
 
-    /// Smallest y at which any polygon crosses the y axis; infinite where none does.
-    [[nodiscard]] double lowest_on_axis() const;
+    /// Smallest y at which any polygon crosses one of these parallels to the y axis; infinite where none does.
+    [[nodiscard]] double lowest_at(std::initializer_list<double> places) const;
 
     /// Largest radius that any polygon reaches at one of these angles from the y axis; 0 where none crosses there.
     [[nodiscard]] double radius_at(std::initializer_list<double> angles) const;
@@ -69,7 +72,7 @@ class SweptPolygons
     [[nodiscard]] double radius_between_spaces() const;
 
     /// Radius at which two spaces leave a land of 0.14 pitches, more than 0.4 modules, between them; nothing where this
-    /// is within the tip circle @p tip or leaves less than half of the depth outside it.
+    /// is within the tip circle @p tip, or leaves less than half of the depth outside it and half a module.
     [[nodiscard]] std::optional<double> radius_of_land(double tip) const;
 
     /// That radius as an argument of --set; empty where there is none.

@@ -26,6 +26,7 @@ struct BodyLimits
     double tip = 0;         ///< y of the tip
     double root = 0;        ///< y of the root
     double half_width = 0;  ///< half the pitch at the root
+    double addendum = 0;    ///< height of the tip above the pitch line
 };
 
 /// The flanks, each from the tip to its foot; `copy` of a piece is the index of the tooth that sweeps it.
@@ -124,14 +125,19 @@ class ToothBodyFinder
 
     void refuse_without_land() const
     {
-        double const lowest = swept_.lowest_on_axis();
-        if (lowest < limits_.tip)
-            throw NumericalError(ErrorCode::no_outline, "region", "tip of the flexspline tooth",
-                                 "the circular spline's teeth sweep down to " + std::to_string(limits_.tip - lowest) +
-                                     " mm below it on the tooth's centre line, so that the tooth would be pointed "
-                                     "there",
-                                 "write a smaller flexspline.addendum or circular_spline.profile.addendum, or a "
-                                 "wave_generator.radial_deformation nearer to m (z_c - z_f)/2");
+        double const lowest = swept_.lowest_at({0});
+        if (!(lowest < limits_.tip))
+            return;
+        double const half_land = SweptPolygons::half_land * 2 * limits_.half_width,
+                     addendum = limits_.addendum - (limits_.tip - swept_.lowest_at({-half_land, half_land}));
+        bool const has_any = addendum > 0;
+        std::string const value = std::to_string(addendum), key = "flexspline.addendum";
+        throw NumericalError(ErrorCode::no_outline, "region", "tip of the flexspline tooth",
+                             "the circular spline's teeth sweep down to " + std::to_string(limits_.tip - lowest) +
+                                 " mm below it on the tooth's centre line, so that the tooth would be pointed there",
+                             "write " + (has_any ? key + " = " + value : "a smaller " + key) +
+                                 ", or a smaller circular_spline.profile.addendum",
+                             has_any ? std::vector{key + "=" + value} : std::vector<std::string>{});
     }
 
     /// One flank. @p runs  from the tip outward, as the walk met them; @p side  1: right, -1: left

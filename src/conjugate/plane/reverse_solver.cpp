@@ -51,6 +51,7 @@ class ReverseJob
         PairGeometry const& g = out.geometry;
         limits_.tip = g.pitch_line + g.addendum;
         limits_.root = g.pitch_line - g.dedendum;
+        limits_.addendum = g.addendum;
         limits_.half_width = std::numbers::pi / out.scene.drive.flexspline_teeth * (g.r_m + limits_.root);
         // the teeth that pass the flexspline tooth's centre line in a lobe; that others do not matter shows in the
         // check
