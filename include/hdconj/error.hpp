@@ -72,6 +72,7 @@ enum class ErrorCode
     no_solution,      ///< the equations have no solution with these numbers
     no_land,          ///< no land is left at the tip circle of the circular spline; a larger tip circle may leave one
     no_outline,       ///< an outline cannot be put together, or folds over itself
+    no_flank,         ///< the tip of the tooth alone makes a tooth space
     interference,     ///< teeth, or a tooth and a rim, overlap
     no_contact,       ///< bodies do not reach each other
     overload,         ///< the teeth cannot carry the torque

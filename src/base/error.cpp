@@ -70,9 +70,9 @@ std::string_view kind_word(FaultKind kind)
 
 std::string_view code_word(ErrorCode code)
 {
-    static constexpr std::array<std::string_view, 13> words{
-        "not-converged", "not-smooth",      "no-solution",  "no-land", "no-outline",   "interference", "no-contact",
-        "overload",      "unsuitable-body", "no-reference", "no-room", "failed-check", "stopped"};
+    static constexpr std::array<std::string_view, 14> words{
+        "not-converged", "not-smooth", "no-solution",     "no-land",      "no-outline", "no-flank",     "interference",
+        "no-contact",    "overload",   "unsuitable-body", "no-reference", "no-room",    "failed-check", "stopped"};
     return words.at(static_cast<std::size_t>(code));
 }
 

@@ -29,15 +29,13 @@ bool around_bottom(BoundaryStretch const& s)
 [[noreturn]] void refuse_without_flank(bool right, std::size_t slice, std::size_t slices)
 {
     bool const several = slices > 1;
-    throw NumericalError(ErrorCode::no_outline, "slices",
-                         std::string(right ? "right" : "left") + " half of the tooth space" +
-                             (several ? ", slice " + std::to_string(slice + 1) + " of " + std::to_string(slices) : ""),
-                         "has no flank between its bottom and the tip circle; the tip of the tooth alone makes the "
-                         "space",
-                         several ? "write a smaller circular_spline.width, slices.surface = \"tilted\", or a "
-                                   "wave_generator.radial_deformation nearer to m (z_c - z_f)/2"
-                                 : "write a wave_generator.radial_deformation nearer to m (z_c - z_f)/2 or a larger "
-                                   "flexspline.profile.addendum");
+    throw NumericalError(
+        ErrorCode::no_flank, "slices",
+        std::string(right ? "right" : "left") + " half of the tooth space" +
+            (several ? ", slice " + std::to_string(slice + 1) + " of " + std::to_string(slices) : ""),
+        "has no flank between its bottom and the tip circle; the tip of the tooth alone makes the "
+        "space",
+        several ? "write a smaller circular_spline.width or slices.surface = \"tilted\"" : "take another tooth");
 }
 
 /// The right half of @p slice runs bottom, flank, land; the left one the other way round.

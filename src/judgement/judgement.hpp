@@ -80,4 +80,9 @@ void raise_tip_circle(UnsolvedPair const& pair, std::vector<std::string> const& 
 /// otherwise.
 [[nodiscard]] NumericalError with_likely_cause(NumericalError const& error, UnsolvedPair const& pair);
 
+/// The same of a surface of @p pair of which a slice has no flank. Where no flank touches in the plane z = 0 either,
+/// which is @p middle, it advises what lets one touch there.
+[[nodiscard]] NumericalError with_cause_of_no_flank(NumericalError const& error, UnsolvedPair const& pair,
+                                                    Solution const& middle);
+
 }  // namespace hdconj::judgement

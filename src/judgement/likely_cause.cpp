@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "checks.hpp"
 #include "judgement.hpp"
 #include "scene/usual_drive.hpp"
 
@@ -66,7 +67,7 @@ scene::Advice with_deformation(NumericalError const& error, UnsolvedPair const& 
     scene::Advice usual = scene::usual_pair(pair.scene, std::nullopt);
     if (usual.set.empty())
         return {error.remedy(), error.set()};
-    usual.words = error.remedy() + (error.remedy().empty() ? "write " : ", or ") + usual.words;
+    usual.words = error.remedy() + (error.remedy().empty() ? "write " : ", or write ") + usual.words;
     return usual;
 }
 
@@ -97,6 +98,18 @@ NumericalError with_likely_cause(NumericalError const& error, UnsolvedPair const
         advice.set.push_back(flank.set.front());
     }
     return {error.code(), error.stage(), error.place(), cause + error.cause(), advice.words, advice.set};
+}
+
+NumericalError with_cause_of_no_flank(NumericalError const& error, UnsolvedPair const& pair, Solution const& middle)
+{
+    auto const note = middle.flank_contact.angle > 0 ? std::nullopt : flank_contact(middle);
+    if (!note)
+        return with_likely_cause(error, pair);
+    scene::Advice angle;
+    scene::add_pressure_angle(pair.scene, angle);
+    return with_likely_cause({error.code(), error.stage(), error.place(), error.cause() + "; at z = 0 no flank touches",
+                              angle.set.empty() ? note->advice : ""},
+                             pair);
 }
 
 }  // namespace hdconj::judgement

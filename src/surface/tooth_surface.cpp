@@ -12,6 +12,7 @@
 #include "conjugate/plane/conjugate_solver.hpp"
 #include "drive/elastic_cup.hpp"
 #include "hdconj/error.hpp"
+#include "judgement/judgement.hpp"
 #include "moved_outline.hpp"
 #include "section_motion.hpp"
 #include "slice_job.hpp"
@@ -53,6 +54,18 @@ ToothSurfaceBuilder::ToothSurfaceBuilder(Solution const& base, ToothSurfaceBuild
 }
 
 ToothSurfaceBuilder::~ToothSurfaceBuilder() = default;
+
+conjugate::MatchedOutline ToothSurfaceBuilder::with_flanks(
+    std::function<conjugate::MatchedOutline()> const& match) const
+{
+    try {
+        return match();
+    } catch (NumericalError const& error) {
+        if (error.code() != ErrorCode::no_flank)
+            throw;
+        throw judgement::with_cause_of_no_flank(error, {base_->scene, base_->geometry, *tooth_, shape_}, *base_);
+    }
+}
 
 double ToothSurfaceBuilder::factor(double z) const
 {
@@ -226,8 +239,10 @@ conjugate::MatchedOutline ToothSurfaceBuilder::outline(SurfaceSpec const& spec, 
                 check_reach(spec, tip);
                 curves = follows_cone(spec) ? solved(own_slices(spec), tip) : Curves{};
             }
-            outline = curves.empty() ? one_outline(spec, tip, moved.asked(), sampling.flank_intervals)
-                                     : outline_by_slices(curves, spec, moved.asked(), sampling.flank_intervals);
+            outline = with_flanks([&] {
+                return curves.empty() ? one_outline(spec, tip, moved.asked(), sampling.flank_intervals)
+                                      : outline_by_slices(curves, spec, moved.asked(), sampling.flank_intervals);
+            });
             deepen_all(outline, base_->scene.circular_spline.root_clearance);
         });
         if (spec.is_tilted_radially())

@@ -2,6 +2,7 @@
 // The circular spline's tooth surface over the face width, by any of the ways it can be made.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -159,6 +160,8 @@ class ToothSurfaceBuilder
                                                         int flank_intervals);
     [[nodiscard]] conjugate::MatchedOutline outline_by_slices(Curves const& curves, SurfaceSpec const& spec,
                                                               double chord, int flank_intervals) const;
+    /// What @p match finds. @throws NumericalError that tells the cause where a slice has no flank
+    [[nodiscard]] conjugate::MatchedOutline with_flanks(std::function<conjugate::MatchedOutline()> const& match) const;
     [[nodiscard]] bool coned() const { return base_->scene.coning.has_value() && z_.size() > 1; }
     /// Whether slices have conjugate outlines of their own.
     [[nodiscard]] bool follows_cone(SurfaceSpec const& spec) const

@@ -137,6 +137,7 @@ ToothSurfaceBuilder& ToothSurfaceBuilder::with_side_clearance(double distance)
     moved_base_.scene.circular_spline.backlash_offset = distance;
     moved_base_.geometry = base_->geometry;
     moved_base_.cup = base_->cup;
+    moved_base_.flank_contact = base_->flank_contact;
     moved_base_.segment_names = base_->segment_names;
     moved_ = std::make_unique<ToothSurfaceBuilder>(moved_base_, *this);
     return *moved_;
@@ -169,8 +170,10 @@ TipCircle ToothSurfaceBuilder::nominal_tip(SurfaceSpec const& spec)
 double ToothSurfaceBuilder::meeting_tip(double z, double tilt)
 {
     if (!base_flank_)
-        base_flank_ = conjugate::matched_outline({&middle(base_->geometry.circular_spline_inner_radius)},
-                                                 tolerance_.length, 0, threads_);
+        base_flank_ = with_flanks([&] {
+            return conjugate::matched_outline({&middle(base_->geometry.circular_spline_inner_radius)},
+                                              tolerance_.length, 0, threads_);
+        });
     double const shift = z * std::tan(tilt);
     double const meeting =
         meeting_radius(*base_flank_, 0, shift, 2 * std::numbers::pi / base_->scene.drive.circular_spline_teeth);

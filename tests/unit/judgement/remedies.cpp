@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "hdconj/contact.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/judgement.hpp"
 #include "hdconj/read_scene.hpp"
@@ -60,6 +61,25 @@ Keys one_wave(std::string const& deformation, std::string const& given_addendum 
             "wave_generator.radial_deformation=" + deformation};
 }
 
+/// Straight teeth that touch with their tips alone.
+Keys steep_teeth(std::string const& width)
+{
+    std::string const tooth = "flexspline.profile.";
+    return {"drive.module=0.5",
+            "drive.flexspline_teeth=320",
+            "drive.circular_spline_teeth=322",
+            "flexspline.wall=1",
+            tooth + "family=straight",
+            tooth + "addendum=0.35",
+            tooth + "dedendum=0.45",
+            tooth + "thickness=0.75",
+            tooth + "pressure_angle_deg=8",
+            "wave_generator.family=cosine",
+            "wave_generator.waves=2",
+            "wave_generator.radial_deformation=0.5",
+            "circular_spline.width=" + width};
+}
+
 }  // namespace
 
 TEST_CASE("tips of a given circular spline that never part are the cause, and the addendum the remedy", "[judgement]")
@@ -104,6 +124,28 @@ TEST_CASE("late mesh with a given circular spline names an addendum that ends it
         Notes const after = judge(scene_of(keys, note->set));
         CHECK(std::ranges::find(after, NoteCode::late_mesh, &Note::code) == after.end());
     }
+}
+
+TEST_CASE("a surface without a flank names what lets one touch, and no width where the plane has none", "[judgement]")
+{
+    auto const in_contact = [](Scene const& scene) { return study_contact(scene); };
+    Keys const flat = steep_teeth("5");
+    NumericalError const failed = failure(in_contact, flat);
+    INFO(failed.what());
+    CHECK(failed.code() == ErrorCode::no_flank);
+    for (char const* const useless : {"width", "radial_deformation", "larger flexspline.profile.addendum"})
+        CHECK_THAT(failed.remedy(), !ContainsSubstring(useless));
+    REQUIRE_FALSE(failed.set().empty());
+    CHECK(study_contact(scene_of(flat, failed.set())).cases.front().state.teeth > 2);
+    // slices with less deformation than the plane z = 0
+    Keys ruled = steep_teeth("4");
+    for (char const* const key : {"coning.model=linear", "coning.bottom_to_middle=20", "slices.count=2",
+                                  "slices.surface=ruled", "wave_generator.radial_deformation=0.45"})
+        ruled.emplace_back(key);
+    NumericalError const sliced = failure(solved, ruled);
+    INFO(sliced.what());
+    CHECK_THAT(sliced.remedy(), !ContainsSubstring("width"));
+    CHECK_NOTHROW(solve(scene_of(ruled, sliced.set())));
 }
 
 TEST_CASE("a land that is lost far inside the usual tip circle is won by a tip circle", "[judgement]")
