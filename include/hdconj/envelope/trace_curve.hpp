@@ -52,6 +52,30 @@ class CurveTracer
     /// Whether the critical angles on both sides of interval @p i are a rounding apart.
     [[nodiscard]] bool is_empty(std::size_t i) const { return !(range_.cuts[i + 1] > range_.cuts[i]); }
 
+    /// |f| at both ends of the curve at one instant, and what rounding makes of it.
+    struct EndValues
+    {
+        double begin = 0;
+        double end = 0;
+        double noise = 0;
+
+        /// No contact is so near to an end of the curve that rounding may add or hide it.
+        [[nodiscard]] bool certain() const { return std::min(begin, end) > noise; }
+        /// The end that is nearer to touching its envelope.
+        [[nodiscard]] double nearer() const { return end < begin ? 1 : 0; }
+    };
+    [[nodiscard]] EndValues end_values(double u) const
+    {
+        constexpr double roundings = 16;
+        motion::MotionRates const rates = envelope_.motion().rates(u);
+        numeric::BernsteinWork f{};
+        std::size_t const size = curve_.a().size();
+        double const stored = meshing_polynomial(curve_, rates.twist, {f.data(), size});
+        auto const moved = [&](double t) { return curve_.first(t).norm() * rates.velocity_size(curve_.point(t)); };
+        return {std::abs(f[0]), std::abs(f[size - 1]),
+                stored + roundings * unit_roundoff * std::max(moved(0), moved(1))};
+    }
+
     /// The contacts at each cut that both its sides have, and before which of them others appear or vanish.
     void find_contacts_at_cuts()
     {
@@ -62,8 +86,8 @@ class CurveTracer
             bool const inner = i > 0 && i < last;
             int const before = i > 0 ? counts_[i - 1] : counts_[i];
             int const after = i < last ? counts_[i] : counts_[i - 1];
-            // at an end of the range what rounding adds or hides lies next to an end of the curve
-            double const where = inner ? range_.critical[i - 1].t : 0;
+            // at an end of the range what rounding adds or hides lies next to the end of the curve that touches there
+            double const where = inner ? range_.critical[i - 1].t : end_values(range_.cuts[i]).nearer();
             at_cut_[i] = parameters(curve_, envelope_.motion().rates(range_.cuts[i]).twist,
                                     static_cast<std::size_t>(std::min(before, after)), where);
             if (inner)
@@ -114,8 +138,10 @@ class CurveTracer
         return i < range_.critical.size() ? std::max(before, range_.critical[i].doubt) : before;
     }
 
-    /// Number of contacts between cuts. It is counted in the middle of the longest interval whose roots are all simple.
-    /// From there on each critical angle changes it by a known number. All other such intervals check the result.
+    /// Number of contacts between cuts. It is counted in the middle of the longest interval whose roots are all simple
+    /// and clear of the curve's ends. In a symmetric pair a contact passes a joint on the tooth's centre line at the
+    /// very ends of the lobe, and rounding may put that instant just inside: such an interval is not counted. From
+    /// there on each critical angle changes it by a known number. All other such intervals check the result.
     void count_contacts()
     {
         std::size_t const intervals = range_.cuts.size() - 1;
@@ -123,9 +149,9 @@ class CurveTracer
         std::size_t anchor = intervals;
         auto const length = [&](std::size_t i) { return range_.cuts[i + 1] - range_.cuts[i]; };
         for (std::size_t i = 0; i < intervals; ++i) {
-            numeric::BernsteinRoots const roots =
-                curve_contacts(curve_, envelope_.motion().rates(range_.cuts[i] + 0.5 * length(i)).twist);
-            bool sure = length(i) > doubt(i) && roots.complete;
+            double const middle = range_.cuts[i] + 0.5 * length(i);
+            numeric::BernsteinRoots const roots = curve_contacts(curve_, envelope_.motion().rates(middle).twist);
+            bool sure = length(i) > doubt(i) && roots.complete && end_values(middle).certain();
             for (int k = 0; k < roots.count; ++k)
                 sure = sure && roots.width[static_cast<std::size_t>(k)] == 0;
             if (!sure)
