@@ -77,7 +77,7 @@ void raise_tip_circle(UnsolvedPair const& pair, std::vector<std::string> const& 
                       std::vector<std::string>& set);
 
 /// @p error, which solving @p pair ended with, and first of all what is far from usual in the pair and can be written
-/// otherwise.
+/// otherwise. Contacts that were not told apart are left as they are: no change of the pair is known to help.
 [[nodiscard]] NumericalError with_likely_cause(NumericalError const& error, UnsolvedPair const& pair);
 
 /// The same of a surface of @p pair of which a slice has no flank. Where no flank touches in the plane z = 0 either,

@@ -75,7 +75,9 @@ scene::Advice with_deformation(NumericalError const& error, UnsolvedPair const& 
 
 NumericalError with_likely_cause(NumericalError const& error, UnsolvedPair const& pair)
 {
-    if (!error.is_infeasible())
+    // contacts that rounding does not tell apart are no matter of the drive's sizes: with others they may be no clearer
+    bool const of_rounding = error.code() == ErrorCode::not_converged && error.stage() == "envelope";
+    if (!error.is_infeasible() || of_rounding)
         return error;
     auto [cause, advice] = likely_cause(error, pair);
     if (cause.empty())

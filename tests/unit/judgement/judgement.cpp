@@ -11,6 +11,7 @@
 #include <optional>
 #include <sstream>
 
+#include "drive/drive.hpp"
 #include "hdconj/check.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/read_scene.hpp"
@@ -656,6 +657,22 @@ TEST_CASE("tips that interfere at assembly are a warning with the tip circle to 
     CHECK(note->place == "circular_spline.inner_radius");
     CHECK_THAT(note->cause, ContainsSubstring("by 0.46 um along the radius"));
     CHECK(note->set == Keys{"circular_spline.inner_radius=40.2293"});
+}
+
+TEST_CASE("notes: contacts that rounding does not tell apart write no other drive", "[judgement]")
+{
+    Scene const scene = builtin_scene({"wave_generator.radial_deformation=0.5"});
+    Faults faults;
+    profile::Profile const tooth = drive::given_tooth(scene, faults);
+    wavegen::AnyWaveShape const shape = drive::wave_shape(scene, tooth, faults);
+    PairGeometry const geometry = drive::pair_geometry(scene);
+    auto const advised = [&](ErrorCode code) {
+        NumericalError const error(code, "envelope", "profile piece 1", "cause");
+        return judgement::with_likely_cause(error, {scene, geometry, tooth, shape});
+    };
+    CHECK(advised(ErrorCode::not_converged).set().empty());
+    CHECK(advised(ErrorCode::not_converged).remedy().empty());
+    CHECK_FALSE(advised(ErrorCode::no_outline).set().empty());
 }
 
 }  // namespace hdconj::test::judgement_cases
