@@ -11,6 +11,7 @@
 
 #include "arguments.hpp"
 #include "hdconj/error.hpp"
+#include "hdconj/load.hpp"
 #include "hdconj/read_scene.hpp"
 #include "hdconj/result_files.hpp"
 #include "hdconj/scene/reading.hpp"
@@ -154,8 +155,11 @@ void tell_other_ring(WireInput const& input, std::string const& from, bool quiet
     if (!input.of_case || input.cuts_flexspline())
         return;
     StoredOutline const& stored = *input.of_case;
+    std::optional<Coning> cone;
+    if (stored.solution.error.cup != 0)  // NaN of a cup whose error was not asked for
+        cone = loaded_scene(input.scene).coning;
     std::string const told =
-        other_ring(stored.solution.circular_spline, stored.side_clearance, input.scene, programs.front());
+        other_ring(stored.solution.circular_spline, stored.side_clearance, cone, input.scene, programs.front());
     if (told.empty())
         return;
     programs.front().warnings.push_back(fmt::format(

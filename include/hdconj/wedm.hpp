@@ -233,14 +233,15 @@ using WireSetUps = std::vector<WireProgram>;
 [[nodiscard]] WireProgram wire_program(Scene const& scene, Solution const& solution);
 
 /// What a ring that was solved before has in place of the one that is cut, in words: side clearance, tip circle, tilt,
-/// and how far its ends are off the contour [um]. Lengths closer than the contour's error are the same. Where the side
-/// clearance is known, also which keys of the scene give that ring. Empty where both are the same.
+/// bent cup, and how far its ends are off the contour [um]. Lengths closer than the contour's error are the same. Where
+/// the side clearance is known, also which keys of the scene give that ring. Empty where both are the same.
 /// @param ring            the other one, its slices within the thickness of the workpiece
 /// @param side_clearance  that @p ring includes [mm]; nothing: not known
+/// @param cone            of the elastic cup that @p ring was made for; nothing: of none
 /// @param scene           that @p cut was made of
 /// @param cut             what the wire cuts
 [[nodiscard]] std::string other_ring(CircularSplineOutline const& ring, std::optional<double> side_clearance,
-                                     Scene const& scene, WireProgram const& cut);
+                                     std::optional<Coning> const& cone, Scene const& scene, WireProgram const& cut);
 
 /// What keeps the ring of @p scene from being clear of the teeth, with what to write: its teeth lean, or the cup cones
 /// and one outline is cut for all sections, and there is no side clearance. Only `contact` finds how deep they enter.

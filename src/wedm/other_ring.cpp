@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.hpp"
 #include "hdconj/units.hpp"
 #include "hdconj/wedm.hpp"
 #include "wedm/seen_distance.hpp"
@@ -33,8 +34,8 @@ double off_the_cut(CircularSplineOutline const& ring, WireProgram const& cut)
 
 }  // namespace
 
-std::string other_ring(CircularSplineOutline const& ring, std::optional<double> side_clearance, Scene const& scene,
-                       WireProgram const& cut)
+std::string other_ring(CircularSplineOutline const& ring, std::optional<double> side_clearance,
+                       std::optional<Coning> const& cone, Scene const& scene, WireProgram const& cut)
 {
     double const lower = ring.outline.front().front().norm();  // the tip circle, in the middle of a land
     double const upper = ring.outline.back().front().norm();
@@ -58,7 +59,13 @@ std::string other_ring(CircularSplineOutline const& ring, std::optional<double> 
         keys.push_back(fmt::format("tilt.angle_deg = {:.6g}", to_deg(lean)));
     }
     double const off = off_the_cut(ring, cut);
-    if (found.empty() && off <= cut.tolerance)
+    bool const is_off = off > cut.tolerance;
+    if (is_off && cone && !scene.coning) {
+        found.emplace_back("the outline of the bent cup");
+        keys.push_back(fmt::format("coning.model = \"{}\", coning.bottom_to_middle = {}", to_string(cone->model),
+                                   short_number(*cone->bottom_to_middle)));
+    }
+    if (found.empty() && !is_off)
         return {};
     found.push_back(fmt::format("an outline up to {:.3g} um off the one that is cut", off * per_um));
     return fmt::format("{}{}", fmt::join(found, ", "),

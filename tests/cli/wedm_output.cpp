@@ -9,7 +9,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <regex>
 #include <sstream>
+#include <string>
 #include <thread>
 
 #include "hdconj/wire_files.hpp"
@@ -199,6 +201,25 @@ TEST_CASE("wedm of a result with cases cuts the ring of its scene, and says what
     REQUIRE(draft.at("warnings").size() == 2);
     for (auto const& each : draft.at("warnings"))
         CHECK_THAT(each.get<std::string>(), !ContainsSubstring("found that teeth enter"));
+}
+
+TEST_CASE("wedm of a result whose cup bends says which keys make its ring of a scene without a cone", "[wedm]")
+{
+    TemporaryFolder const folder;
+    auto const warning_of = [&](std::string const& name, std::string const& keys) {
+        auto const loaded =
+            hdconj::test::hdconj_run("load --quiet --no-errors --no-curve -o " + name + ".h5 " + keys, folder.path());
+        REQUIRE(loaded.status == 0);
+        return wedm("--from " + name + ".h5 --dialect csv -o " + name, folder).err;
+    };
+    std::string const bare = warning_of("bare", ""), begin = "write ";
+    REQUIRE_THAT(bare, ContainsSubstring("the outline of the bent cup"));
+    std::size_t const from = bare.find(begin) + begin.size();
+    std::string keys = bare.substr(from, bare.find(" into the scene") - from);
+    keys = std::regex_replace(std::regex_replace(keys, std::regex(", "), " --set "), std::regex(" = "), "=");
+    INFO(keys);
+    CHECK_THAT(keys, ContainsSubstring("coning.bottom_to_middle=9"));
+    CHECK_THAT(warning_of("bent", "--set " + keys), !ContainsSubstring("holds the ring of a case"));
 }
 
 TEST_CASE("wedm warns of a cone without side clearance, by the study that knows it where there is one", "[wedm]")
