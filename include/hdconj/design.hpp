@@ -147,8 +147,9 @@ struct Design
 /// Dimensions follow the rules of the thesis (Tables 2-1, 4-1 to 4-3, (4-1) to (4-5)), each inside its range where the
 /// wishes allow it. Radial deformation and tip circle are searched with solve(): among those with a land on both
 /// members as wide as asked, flanks that lose little by undercut and tips that part, that nearest to m (z_c - z_f)/2
-/// is taken which has 95 % of the most teeth in flank contact. With a torque the wall is searched with study_load().
-/// The result has the same bits for any number of threads.
+/// is taken which has 95 % of the most teeth in flank contact. With a torque the pair is that of the bent cup, which
+/// the scene then has with its slices, and the wall is searched with study_load(). The result has the same bits for any
+/// number of threads.
 /// @param wishes  what is asked for
 /// @param talk    is told what is tried; null: nobody
 /// @throws InputError with every wish that cannot be met (exit status 2); NumericalError where a computation fails

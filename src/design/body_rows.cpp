@@ -7,7 +7,6 @@
 
 #include "base/text.hpp"
 #include "drive/end_shift.hpp"
-#include "hdconj/units.hpp"
 #include "sheet.hpp"
 #include "wishes.hpp"
 
@@ -259,16 +258,7 @@ void add_body_rows(Sheet& sheet, DesignWishes const& wishes, double wall, ConeNe
     add_spline_rows(sheet, wishes, cone);
     add_bearing_rows(sheet);
     if (wishes.torque)
-        sheet.add({"rated torque on the circular spline",
-                   "T",
-                   "load.torque",
-                   "as asked for",
-                   {},
-                   *wishes.torque / newton_metre,
-                   "N m",
-                   "wish",
-                   DesignOrigin::wish,
-                   ""});
+        add_load_rows(sheet, *wishes.torque);
 }
 
 }  // namespace hdconj::design

@@ -83,7 +83,7 @@ Design design_drive(DesignWishes const& wishes, std::function<void(std::string c
     if (talk)
         talk("radial deformation and tip circle");
     design::WallSearch search(wishes, talk);
-    design::MeshedSheet made = search.under_torque(wishes.torque, true);
+    design::MeshedSheet made = search.best(true);
     if (!made.works())
         throw InputError(design::nearest_wishes(wishes, made, search));
     if (wishes.torque)

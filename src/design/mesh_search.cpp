@@ -7,10 +7,11 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "base/text.hpp"
+#include "conjugate/plane/solve_plane.hpp"
 #include "hdconj/base/parallel.hpp"
-#include "hdconj/solve.hpp"
 #include "judgement/checks.hpp"
 #include "scene/usual_drive.hpp"
 #include "wishes.hpp"
@@ -84,24 +85,26 @@ class MeshSearch
     }
 
     /// The least tip circle that works with the deformation ratio @p ratio.
-    [[nodiscard]] Attempt operator()(double ratio) const
+    /// @param cup  of this ratio, which no tip circle changes; null: not known yet
+    [[nodiscard]] Attempt operator()(double ratio, SharedCup& cup) const
     {
+        auto const attempt = [&](double tip_radius) { return with_tip(ratio, tip_radius, cup); };
         double const m = sheet_["m"], w0 = rounded(ratio * m, digits_of_radii);
         Drive drive;
         drive.module = m;
         drive.flexspline_teeth = static_cast<int>(sheet_["z_f"]);
         double const usual = scene::usual_tip_radius(drive, sheet_["h_a"], sheet_["h_f"], w0);
         double low = std::max(usual, least_tip_);
-        Attempt best = attempt(ratio, low);
+        Attempt best = attempt(low);
         if (!best.too_small)
             return best;
         // where a third of the tooth is left there is no mesh to speak of
         double high = std::max(low, usual + 2 * sheet_["h_a"] / 3);
-        best = attempt(ratio, high);
+        best = attempt(high);
         constexpr double resolved = 0.01;  // modules
         while (!best.too_small && high - low > resolved * m) {
             double const middle = (low + high) / 2;
-            Attempt const between = attempt(ratio, middle);
+            Attempt const between = attempt(middle);
             (between.too_small ? low : high) = middle;
             if (!between.too_small)
                 best = between;
@@ -110,19 +113,25 @@ class MeshSearch
     }
 
   private:
-    [[nodiscard]] Attempt attempt(double ratio, double tip_radius) const
+    [[nodiscard]] Attempt with_tip(double ratio, double tip_radius, SharedCup& cup) const
     {
         Attempt made;
         MeshTrial& trial = made.trial;
         trial.ratio = ratio;
         trial.w0 = rounded(ratio * sheet_["m"], digits_of_radii);
         trial.tip_radius = rounded(tip_radius, digits_of_radii);
+        conjugate::SolvedPlane plane;
+        Solution& pair = plane.solution;
+        pair.cup = cup;
         try {
-            Scene scene = scene_of(sheet_.rows(), mesh_rows(sheet_, wishes_, ratio, tip_radius));
+            pair.scene = scene_of(sheet_.rows(), mesh_rows(sheet_, wishes_, ratio, tip_radius));
             // each ratio has a thread; lands and contacts do not depend on how finely the outline is drawn
-            scene.solver.threads = 1;
-            scene.solver.tolerance = drawn * scene.drive.module;
-            judge_pair(solve(scene), made);
+            pair.scene.solver.threads = 1;
+            pair.scene.solver.tolerance = drawn * pair.scene.drive.module;
+            pair.plan = make_plan(pair.scene);
+            drive::StageClock clock(pair.plan, {});
+            conjugate::solve_plane(plane, clock, std::nullopt);
+            judge_pair(pair, made);
         } catch (NumericalError const& error) {
             error.rethrow_unless_infeasible();
             made.too_small = error.code() == ErrorCode::no_land || error.code() == ErrorCode::interference;
@@ -130,6 +139,7 @@ class MeshSearch
         } catch (InputError const& error) {
             trial.refusal = error.faults().front().reason;
         }
+        cup = pair.cup;
         return made;
     }
 
@@ -224,12 +234,15 @@ std::vector<DesignRow> mesh_rows(Sheet const& sheet, DesignWishes const& wishes,
     return rows;
 }
 
-MeshChoice search_mesh(Sheet const& sheet, DesignWishes const& wishes, double least_tip)
+MeshChoice search_mesh(Sheet const& sheet, DesignWishes const& wishes, double least_tip, std::vector<SharedCup> cups)
 {
     MeshChoice choice;
     choice.trials.resize(tried_ratios);
+    choice.cups = std::move(cups);
+    choice.cups.resize(tried_ratios);
     MeshSearch const search(sheet, wishes, least_tip);
-    parallel_for(choice.trials.size(), 0, 1, [&](std::size_t i) { choice.trials[i] = search(ratio_of(i)).trial; });
+    parallel_for(choice.trials.size(), 0, 1,
+                 [&](std::size_t i) { choice.trials[i] = search(ratio_of(i), choice.cups[i]).trial; });
     choice.best = best_of(choice.trials);
     if (choice.best) {
         MeshTrial const& best = choice.trials[*choice.best];
@@ -249,7 +262,8 @@ MeshAnswer any_mesh(Sheet const& sheet, DesignWishes const& wishes)
     parallel_for(usual_first.size(), 0, 1, [&](std::size_t i) {
         if (found)
             return;
-        MeshTrial const trial = search(usual_first[i]).trial;
+        SharedCup cup;
+        MeshTrial const trial = search(usual_first[i], cup).trial;
         if (trial.refusal.empty())
             found = true;
         if (trial.wall_stress)
@@ -263,7 +277,10 @@ std::optional<double> least_bending(Sheet const& sheet, DesignWishes wishes)
     wishes.fatigue = std::numeric_limits<double>::infinity();
     std::array<Attempt, tried_ratios> attempts;
     MeshSearch const search(sheet, wishes, 0);
-    parallel_for(attempts.size(), 0, 1, [&](std::size_t i) { attempts[i] = search(ratio_of(i)); });
+    parallel_for(attempts.size(), 0, 1, [&](std::size_t i) {
+        SharedCup cup;
+        attempts[i] = search(ratio_of(i), cup);
+    });
     std::optional<double> least;
     for (Attempt const& each : attempts)
         if (each.trial.refusal.empty() && (!least || each.bending < *least))

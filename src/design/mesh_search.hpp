@@ -2,26 +2,33 @@
 // Radial deformation and tip circle by computation.
 #pragma once
 
-#include <functional>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "sheet.hpp"
 
 namespace hdconj::design {
 
+/// A cup bent by its wave generator, where the sheet has one; null: none, or not known yet.
+using SharedCup = std::shared_ptr<elastic::BentCup const>;
+
 /// The mesh of a drive: what was tried, and what is taken.
 struct MeshChoice
 {
     std::vector<MeshTrial> trials;
+    std::vector<SharedCup> cups;      ///< of the trials
     std::optional<std::size_t> best;  ///< nothing: none of them works
     std::vector<DesignRow> rows;      ///< of the best: wave generator, tip circle, and what they depend on
 };
 
 /// Tries radial deformations of 0.8 to 1.2 times m (z_c - z_f)/2, each with the least tip circle that leaves a land as
-/// wide as asked and tips that part.
+/// wide as asked and tips that part. With a torque all of that is said of the section of the bent cup.
 /// @param sheet      teeth and body
 /// @param least_tip  no tip circle is smaller [mm]
-[[nodiscard]] MeshChoice search_mesh(Sheet const& sheet, DesignWishes const& wishes, double least_tip);
+/// @param cups       of an earlier search with this body; empty: none is known
+[[nodiscard]] MeshChoice search_mesh(Sheet const& sheet, DesignWishes const& wishes, double least_tip,
+                                     std::vector<SharedCup> cups = {});
 
 /// Whether there is a mesh.
 struct MeshAnswer

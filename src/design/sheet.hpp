@@ -50,4 +50,8 @@ void add_tooth_rows(Sheet& sheet, DesignWishes const& wishes);
 /// @param cone  what the circular spline has to leave the cup
 void add_body_rows(Sheet& sheet, DesignWishes const& wishes, double wall, ConeNeed const& cone);
 
+/// The bent cup and the slices with which the ring is checked, as loaded_scene() has them, and the torque, so that
+/// every verb makes that ring. @param torque  [N mm]
+void add_load_rows(Sheet& sheet, double torque);
+
 }  // namespace hdconj::design

@@ -20,6 +20,14 @@ namespace {
 constexpr int told_digits = 3;
 constexpr std::array walls_without_torque{0.014, 0.013, 0.012, 0.011, 0.01};  // over the pitch diameter
 
+/// The mesh with @p wall over the pitch diameter as the wishes alone make it.
+MeshedSheet mesh_with(DesignWishes const& wishes, double wall)
+{
+    MeshedSheet made{sheet_of(wishes, wall), {}, {}};
+    made.mesh = search_mesh(made.sheet, wishes, 0);
+    return made;
+}
+
 }  // namespace
 
 bool is_better(WallTrial const& a, WallTrial const& b)
@@ -50,8 +58,7 @@ MeshedSheet mesh_with_wall(DesignWishes const& wishes)
 {
     MeshedSheet made;
     for (double const wall : walls_without_torque) {
-        made.sheet = sheet_of(wishes, wall);
-        made.mesh = search_mesh(made.sheet, wishes, 0);
+        made = mesh_with(wishes, wall);
         auto const& trials = made.mesh.trials;
         bool const thinner_may_do =
             std::any_of(trials.begin(), trials.end(), [](MeshTrial const& trial) { return trial.wall_stress; });
@@ -108,13 +115,36 @@ WallTrial stress_of(MeshedSheet const& made, DesignWishes const& wishes, bool er
 
 namespace {
 
-/// What the coned cup needs of the circular spline so that no tooth is entered over a turn.
-ConeNeed cone_need(Scene const& scene)
+/// What the coned cup needs of the circular spline so that no tooth is entered over a turn; the stress is left out.
+WallTrial cone_need(MeshedSheet const& made)
 {
+    WallTrial trial;
+    trial.wall = made.sheet["delta"];
     ContactOptions options;
     options.errors = false;
-    ContactCase const only = study_contact(loaded_scene(scene), options).cases.front();
-    return {std::max(only.least_side_clearance, only.backlash_offset), only.tip};
+    try {
+        ContactCase const only = study_contact(scene_of(made.rows()), options).cases.front();
+        trial.side_clearance = std::max(only.least_side_clearance, only.backlash_offset);
+        trial.tip_radius = only.tip;
+    } catch (NumericalError const& error) {
+        error.rethrow_unless_infeasible();
+        trial.interferes = true;
+        trial.refusal = "the coned cup leaves no clear ring: " + error.cause();
+    }
+    return trial;
+}
+
+/// The circular spline that the rows of @p made have.
+ConeNeed ring_of(MeshedSheet const& made)
+{
+    CircularSpline const ring = scene_of(made.rows()).circular_spline;
+    return {ring.backlash_offset, *ring.inner_radius};
+}
+
+/// Whether @p ring leaves clear what was tried.
+bool is_clear(WallTrial const& trial, ConeNeed const& ring)
+{
+    return !trial.interferes && trial.side_clearance <= ring.clearance && trial.tip_radius <= ring.tip_radius;
 }
 
 /// Why no mesh leaves the coned cup clear.
@@ -129,49 +159,45 @@ std::string without_mesh(ConeNeed const& cone, MeshChoice const& tried)
 /// those rounds had other clearances and deformations, whose tip circles this one may not need.
 MeshedSheet without_kept_tip(MeshedSheet made, DesignWishes const& wishes, double wall, bool errors)
 {
-    double const clearance = scene_of(made.rows()).circular_spline.backlash_offset;
-    MeshedSheet free{sheet_of(wishes, wall, {clearance, 0}), {}, {}};
-    free.mesh = search_mesh(free.sheet, wishes, 0);
+    MeshedSheet free{sheet_of(wishes, wall, {ring_of(made).clearance, 0}), {}, {}};
+    free.mesh = search_mesh(free.sheet, wishes, 0, made.mesh.cups);
     if (!free.mesh.best)
         return made;
     MeshTrial const &kept = made.mesh.trials[*made.mesh.best], &other = free.mesh.trials[*free.mesh.best];
     if (other.ratio == kept.ratio && other.tip_radius == kept.tip_radius)
         return made;
-    Scene const scene = scene_of(free.rows());
-    double const tip = *scene.circular_spline.inner_radius;
-    ConeNeed const need = cone_need(scene);
-    if (need.clearance > clearance || need.tip_radius > tip)
+    ConeNeed const ring = ring_of(free);
+    if (!is_clear(cone_need(free), ring))
         return made;
     free.walls = {stress_of(free, wishes, errors)};
-    bool const is_clear = free.walls.back().side_clearance <= clearance && free.walls.back().tip_radius <= tip;
-    return is_clear ? free : made;
+    return is_clear(free.walls.back(), ring) ? free : made;
 }
 
-/// The mesh with @p wall, and its stress, whose side clearance and tip circle leave the coned cup clear. Each round
-/// starts from what the one before needs; another radial deformation may need more. A wall without any mesh has no
-/// stress.
-MeshedSheet mesh_with_cone(DesignWishes const& wishes, double wall, bool errors)
+/// @p made, the mesh with @p wall as wished, or one whose side clearance and tip circle leave the coned cup clear, and
+/// its stress. Each round starts from what the one before needs; another radial deformation may need more. A wall
+/// without any mesh has no stress.
+MeshedSheet mesh_with_cone(MeshedSheet made, DesignWishes const& wishes, double wall, bool errors)
 {
     constexpr int rounds = 8, digits_of_tip = 6;
     ConeNeed cone;
-    MeshedSheet made{sheet_of(wishes, wall), {}, {}};
-    made.mesh = search_mesh(made.sheet, wishes, 0);
     for (int i = 0; made.mesh.best; ++i) {
-        Scene const scene = scene_of(made.rows());
-        double const clearance = scene.circular_spline.backlash_offset, tip = *scene.circular_spline.inner_radius;
-        ConeNeed need = made.walls.empty() ? cone_need(scene)
-                                           : ConeNeed{made.walls.back().side_clearance, made.walls.back().tip_radius};
-        bool const is_clear = need.clearance <= clearance && need.tip_radius <= tip;
-        if (is_clear && !made.walls.empty())
+        bool const has_stress = !made.walls.empty();
+        WallTrial const need = has_stress ? made.walls.back() : cone_need(made);
+        bool const clear = is_clear(need, ring_of(made));
+        if (clear && has_stress)
             return cone.tip_radius > 0 ? without_kept_tip(std::move(made), wishes, wall, errors) : made;
-        if (is_clear) {
+        if (need.interferes) {
+            made.walls = {need};
+            break;
+        }
+        if (clear) {
             made.walls = {stress_of(made, wishes, errors)};
             continue;
         }
-        cone = {std::max(cone.clearance, rounded_up(need.clearance)),
+        cone = {std::max(cone.clearance, rounded_up(need.side_clearance)),
                 std::max(cone.tip_radius, rounded_up(need.tip_radius, digits_of_tip))};
         MeshedSheet next{sheet_of(wishes, wall, cone), {}, {}};
-        next.mesh = search_mesh(next.sheet, wishes, cone.tip_radius);
+        next.mesh = search_mesh(next.sheet, wishes, cone.tip_radius, made.mesh.cups);
         if (!next.mesh.best || i == rounds) {
             made.walls = {stress_of(made, wishes, errors)};
             made.walls.back().interferes = true;
@@ -190,7 +216,9 @@ MeshedSheet WallSearch::loaded(double wall, bool errors)
     auto const [at, is_new] = clear_.try_emplace(wall);
     MeshedSheet& made = at->second;
     if (is_new) {
-        made = mesh_with_cone(wishes_, wall, errors);
+        bool const is_known = as_wished_ && as_wished_->sheet["delta"] == sheet_of(wishes_, wall)["delta"];
+        made = mesh_with_cone(is_known ? *as_wished_ : mesh_with(wishes_, wall), wishes_, wall, errors);
+        made.mesh.cups.clear();  // large, and no torque asks for another mesh
     } else if (made.mesh.best) {
         WallTrial const before = std::exchange(made.walls.back(), stress_of(made, wishes_, errors));
         if (before.interferes) {
@@ -201,14 +229,12 @@ MeshedSheet WallSearch::loaded(double wall, bool errors)
     return made;
 }
 
-MeshedSheet WallSearch::under_torque(std::optional<double> torque, bool errors)
+MeshedSheet WallSearch::best(bool errors)
 {
-    if (!without_torque_)
-        without_torque_ = mesh_with_wall(wishes_);
-    MeshedSheet best = *without_torque_;
-    if (!torque || !best.mesh.best)
+    as_wished_ = mesh_with_wall(wishes_);
+    MeshedSheet best = *as_wished_;
+    if (!wishes_.torque || !best.mesh.best)
         return best;
-    wishes_.torque = torque;
     std::vector<WallTrial> tried;
     auto const try_walls = [&](std::initializer_list<double> walls) {
         for (double const wall : walls) {
@@ -259,7 +285,7 @@ std::optional<double> WallSearch::most_torque()
 
 void add_root_clearance(MeshedSheet& made)
 {
-    ContactCase const found = study_contact(loaded_scene(scene_of(made.rows()))).cases.front();
+    ContactCase const found = study_contact(scene_of(made.rows())).cases.front();
     if (found.least_root_clearance == 0)
         return;
     double const least = rounded_up(found.least_root_clearance + found.least_root_clearance_error);

@@ -33,7 +33,7 @@ struct MeshedSheet
 };
 
 /// The wall nearest to type-50's 0.014 d_r in the range of the rule with which there is a mesh whose bending the safety
-/// allows. A torque is left out, and with it the cone of the cup.
+/// allows. What the cone of the cup needs to be clear is left out.
 [[nodiscard]] MeshedSheet mesh_with_wall(DesignWishes const& wishes);
 
 /// The least bending stress of the ring with which mesh_with_wall() would find a mesh, that of the thinnest wall which
@@ -54,13 +54,12 @@ struct MeshedSheet
 class WallSearch
 {
   public:
-    /// @param wishes  of which the torque is left out
     WallSearch(DesignWishes wishes, Talk talk) : wishes_(std::move(wishes)), talk_(std::move(talk)) {}
 
     /// mesh_with_wall(), and with a torque the first wall with which the stress of study_load() keeps the safety, and
     /// the side clearance and tip circle leave the coned cup clear. Where no wall does, the one with the least stress
     /// comes last, of those that are clear if any is.
-    [[nodiscard]] MeshedSheet under_torque(std::optional<double> torque, bool errors);
+    [[nodiscard]] MeshedSheet best(bool errors);
 
     /// The largest torque of two digits that a wall stands, after all were refused under the last torque, without
     /// errors; nothing where none is found.
@@ -71,7 +70,7 @@ class WallSearch
 
     DesignWishes wishes_;
     Talk talk_;
-    std::optional<MeshedSheet> without_torque_;
+    std::optional<MeshedSheet> as_wished_;
     std::map<double, MeshedSheet> clear_;  // by wall
 };
 

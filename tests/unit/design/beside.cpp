@@ -98,7 +98,8 @@ TEST_CASE("a drive for a torque has the mesh that its side clearance alone makes
     wishes.length_ratio = 1;
     wishes.family = "s-tooth";
     wishes.fatigue = 1500;  // with which the first wall is taken
-    design::MeshedSheet const made = design::WallSearch(wishes, {}).under_torque(5 * newton_metre, false);
+    wishes.torque = 5 * newton_metre;
+    design::MeshedSheet const made = design::WallSearch(wishes, {}).best(false);
     REQUIRE(made.works());
     wishes.clearance = design::scene_of(made.rows()).circular_spline.backlash_offset;
     CHECK(wishes.clearance > 0);

@@ -179,12 +179,21 @@ TEST_CASE("a design under torque keeps its land with the clearances that its con
         CHECK(loaded.tip_radius_increase == 0);
         ContactOptions contact;
         contact.errors = false;
-        ContactCase const coned = study_contact(loaded_scene(scene), contact).cases.front();
+        ContactCase const coned = study_contact(scene, contact).cases.front();
         CHECK_FALSE(coned.side_clearance_increased);
         CHECK(coned.closest_flank().clearance >= 0);
         CHECK(coned.tip == scene.circular_spline.inner_radius);
         CHECK(scene.circular_spline.root_clearance > 0);
         CHECK(coned.least_root_clearance == 0);
+        // load has the same cup and slices of a scene without them
+        Scene bare = scene;
+        bare.coning.reset();
+        bare.slices.reset();
+        Scene const completed = loaded_scene(bare);
+        CHECK(completed.coning->model == scene.coning->model);
+        CHECK(*completed.coning->bottom_to_middle == Approx(*scene.coning->bottom_to_middle).margin(1e-5));
+        CHECK(completed.slices->count == scene.slices->count);
+        CHECK(completed.slices->surface == scene.slices->surface);
     }
 }
 
