@@ -710,8 +710,8 @@ class Reports(unittest.TestCase):
             unlike = page.locator("#design [aria-label='Where this drive is not as proposed'] tbody tr")
             rows = {row.locator("th").inner_text().split()[0]: row.locator("td").all_inner_texts()
                     for row in unlike.all()}
-            self.assertEqual(list(rows), ["delta_2", "R_1", "R_2", "R_3", "side", "root", "w_0", "r_a",
-                                          "tip", "teeth", "angle"])  # the last seven: what the cone needs
+            self.assertEqual(list(rows), ["delta_2", "R_1", "R_2", "R_3", "side", "model", "bottom", "slices", "root",
+                                          "r_a", "tip", "teeth", "angle"])  # from side on: what the cone needs
             self.assertEqual(rows["delta_2"][:4], ["0.5 mm", "outside the range", "0.35 ... 0.49 mm", "0.49 mm"])
             every = page.locator("#design [aria-label='All rules'] tbody tr")
             self.assertEqual(every.count(), len(designed["rows"]) - 1)  # but the name
