@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What follows from the wishes alone, and what the drive is loaded by.
-#include <string>
-#include <utility>
 
 #include "base/text.hpp"
-#include "hdconj/units.hpp"
 #include "same_value.hpp"
 #include "sheet.hpp"
 #include "wishes.hpp"
@@ -65,33 +61,6 @@ Sheet drive_rows(DesignWishes const& wishes)
                DesignOrigin::wish,
                ""});
     return sheet;
-}
-
-void add_load_rows(Sheet& sheet, double torque)
-{
-    constexpr int digits = 6;
-    constexpr double slices = 9;
-    auto const add = [&](char const* name, char const* key, char const* rule, scene::ParameterValue value,
-                         char const* unit) {
-        sheet.add({name, "", key, rule, {}, std::move(value), unit, "load", DesignOrigin::rule, ""});
-    };
-    add("model of the cone", "coning.model", "the ring is made for the bent cup, with which it is checked",
-        std::string("elastic"), "");
-    add("bottom to middle of the bearing", "coning.bottom_to_middle", "L - L_1 - L_2/2, the middle of the teeth",
-        rounded(sheet["L"] - sheet["L_1"] - sheet["L_2"] / 2, digits), "mm");
-    add("slices across the face width", "slices.count", "as many as the ring is checked in", slices, "1");
-    add("surface of the circular spline", "slices.surface", "one outline over the whole width", std::string("tilted"),
-        "");
-    sheet.add({"rated torque on the circular spline",
-               "T",
-               "load.torque",
-               "as asked for",
-               {},
-               torque / newton_metre,
-               "N m",
-               "wish",
-               DesignOrigin::wish,
-               ""});
 }
 
 }  // namespace hdconj::design

@@ -85,7 +85,7 @@ class MeshSearch
     }
 
     /// The least tip circle that works with the deformation ratio @p ratio.
-    /// @param cup  of this ratio, which no tip circle changes; null: not known yet
+    /// @param cup  bent with this ratio; the tip circle does not change it. Null: solved here
     [[nodiscard]] Attempt operator()(double ratio, SharedCup& cup) const
     {
         auto const attempt = [&](double tip_radius) { return with_tip(ratio, tip_radius, cup); };

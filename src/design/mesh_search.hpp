@@ -23,7 +23,7 @@ struct MeshChoice
 };
 
 /// Tries radial deformations of 0.8 to 1.2 times m (z_c - z_f)/2, each with the least tip circle that leaves a land as
-/// wide as asked and tips that part. With a torque all of that is said of the section of the bent cup.
+/// wide as asked and tips that part. With a torque all of that holds for the section of the bent cup.
 /// @param sheet      teeth and body
 /// @param least_tip  no tip circle is smaller [mm]
 /// @param cups       of an earlier search with this body; empty: none is known

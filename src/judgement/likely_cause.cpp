@@ -11,9 +11,9 @@
 namespace hdconj::judgement {
 namespace {
 
-/// Whether @p note is of a radial deformation above the usual one, at which tips that are given would overlap still
-/// more.
-bool helps_given_tips(Note const& note)
+/// Whether @p note asks for a smaller radial deformation, with which the tips of a given circular spline would overlap
+/// the flexspline's even more.
+bool makes_tips_overlap(Note const& note)
 {
     return note.code == NoteCode::deformation && note.figure > 1 && value_in(note.set, addendum_key);
 }
@@ -30,7 +30,7 @@ std::pair<std::string, scene::Advice> likely_cause(NumericalError const& error, 
     for (Note const& note : notes_on(pair)) {
         bool const far = note.severity == Severity::warning || note.code == NoteCode::deformation;
         bool const has_remedy = !note.set.empty() || note.code == NoteCode::late_mesh;
-        if (!far || !has_remedy || helps_given_tips(note) || note.code == NoteCode::wall_stress)
+        if (!far || !has_remedy || makes_tips_overlap(note) || note.code == NoteCode::wall_stress)
             continue;  // stress spoils no geometry
         // tip circle and stress come with the deformation
         bool const said = !note.set.empty() && std::ranges::find(advice.set, note.set.front()) != advice.set.end();
@@ -44,9 +44,10 @@ std::pair<std::string, scene::Advice> likely_cause(NumericalError const& error, 
     return {cause, advice};
 }
 
-/// Whether @p advice and @p error both write the addendum for the radial deformation of the pair; the smaller one
-/// stays.
-bool agree_on_addendum(NumericalError const& error, scene::Advice& advice)
+/// Where @p advice and @p error both write an addendum for the radial deformation of the pair, leaves the smaller one
+/// in
+/// @p advice. @returns whether both write one
+bool merge_addenda(NumericalError const& error, scene::Advice& advice)
 {
     auto const first = value_in(error.set(), addendum_key), second = value_in(advice.set, addendum_key);
     if (!first || !second || value_in(advice.set, deformation_key))
@@ -90,7 +91,7 @@ NumericalError with_likely_cause(NumericalError const& error, UnsolvedPair const
             advice.set.push_back(error.set().front());
         if (advice.set.empty())
             advice.set = error.set();
-        if (!error.remedy().empty() && !agree_on_addendum(error, advice))
+        if (!error.remedy().empty() && !merge_addenda(error, advice))
             advice.words += (clears ? "; " : "; or ") + error.remedy();
     }
     scene::Advice flank;
