@@ -185,6 +185,7 @@ struct LoadCase
     std::optional<TiltKind> kind;                 ///< of the tilt, as in ContactCase; nothing where there is no tilt
     double tilt = 0;                              ///< [rad]
     double backlash_offset = 0;                   ///< side clearance [mm]
+    double backlash_offset_error = 0;             ///< estimated, where it was found; else 0
     bool side_clearance_increased =
         false;       ///< the side clearance exceeds the scene's, with which the teeth press on both flanks
     double tip = 0;  ///< tip circle at z = 0 [mm]

@@ -58,7 +58,9 @@ Rows<LoadCase> load_case_figures()
     static constexpr std::array rows = {
         figure<&T::tilt>("tilt", given_degree, "tilt of the circular spline's teeth",
                          {"tilt", significant<3>, nullptr, &degree}),
-        figure<&T::backlash_offset>("backlash_offset", um, "side clearance", {"offset", fixed<2>}),
+        pair<&T::backlash_offset, &T::backlash_offset_error>("backlash_offset", um, "side clearance",
+                                                             {"offset", fixed<2>, significant<2>})
+            .without(hdf5_error),  // with the estimates of the case
         figure<&T::tip>("tip_radius", mm, "tip circle at z = 0", {"tip circle", decimals<6>}),
         figure<&T::tip_radius_increase>("tip_radius_increase", um,
                                         "how much wider the tip circle is than the scene gives", {"wider", decimals<2>})

@@ -15,7 +15,7 @@
 #include "hdconj/scene/reading.hpp"
 #include "hdconj/units.hpp"
 #include "judgement/judgement.hpp"
-#include "load/grids/grid_error.hpp"
+#include "load/grids/cup_error.hpp"
 #include "load/model/cup_shape.hpp"
 #include "load/model/ring_errors.hpp"
 #include "load/study/load_case.hpp"

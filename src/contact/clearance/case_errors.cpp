@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "clearance_error.hpp"
 #include "contact/parallel_trim.hpp"
 #include "numeric/least_between.hpp"
 #include "ruled_deviation.hpp"
@@ -29,34 +30,6 @@ struct ErrorPlanes
     TurnsOfSet const* flank = nullptr;  ///< of the flanks as made with the scene's side clearance, where known
     TurnsOfSet const* root = nullptr;   ///< around the bottom
 };
-
-/// What the points of @p set have over a full turn, moved by @p distance. @p known: that, or null
-TurnsOfSet turns_of(SliceClearances const& clearances, ClearanceSet const& set, double distance,
-                    TurnsOfSet const* known = nullptr)
-{
-    if (known != nullptr)
-        return *known;
-    TurnsOfSet found;
-    found.minima = clearances(set, distance);
-    found.deepest = clearances.lowest(set, distance, found.minima);
-    return found;
-}
-
-/// The least of each plane. @p along: between the points too, which are even but for the last, the middle of the
-/// bottom.
-std::vector<double> lowest_of(TurnsOfSet const& turns, bool along)
-{
-    std::vector<double> low;
-    for (Deepest const& deepest : turns.deepest)
-        low.push_back(deepest.turn.distance);
-    for (std::size_t k = 0; along && k < low.size(); ++k) {
-        std::vector<double> points;
-        for (std::size_t i = 0; i + 1 < turns.minima[k].size(); ++i)
-            points.push_back(turns.minima[k][i].distance);
-        low[k] = std::min(low[k], numeric::least_between(points));
-    }
-    return low;
-}
 
 /// Smallest distances of the scene's slices, which @p result holds, and how far those of the planes, and of what lies
 /// between them (between_places()), fall below; around the bottom between its points too. With the accuracy to which a
@@ -88,26 +61,6 @@ void write_clearance_errors(ErrorPlanes const& planes, double given, double unse
     result.clearance_error = over(result.closest_flank().clearance, numeric::least_between(flank)) + enough + unseen +
                              (anew ? overlap_at_ends(planes.grid, given, flank) : 0);
     result.root_clearance_error = over(least_root, numeric::least_between(root)) + enough + bottom.known;
-}
-
-/// Error of the least distance @p found by which the set must be moved to clear: what still enters between the planes,
-/// or is clear everywhere, by the slope with which moving clears it.
-/// @param along  between points of the set too
-/// @param turns  of the set at that distance
-double least_clearance_error(ContactContext const& context, SliceClearances const& clearances, ClearanceSet const& set,
-                             double found, bool along, TurnsOfSet const& turns)
-{
-    double const enough = clearance_accuracy(context.tolerance) + set.known;
-    double const least = numeric::least_between(lowest_of(turns, along));
-    double const off = found > 0 ? std::abs(least) : std::max(0.0, -least);
-    // nothing was moved and nothing touches: the least is none
-    if (found == 0 && least > enough)
-        return enough;
-    // what clears to `enough` is known to as much over the slope, wherever the search has ended
-    double const step = std::max({off, enough, context.tolerance.length});
-    double const beyond = numeric::least_between(lowest_of(turns_of(clearances, set, found + step), along));
-    double const slope = (beyond - least) / step;
-    return (off + enough) / std::clamp(slope, flattest_slope, 1.0);
 }
 
 double largest_between(std::vector<double> value, double safety = numeric::smooth_function)
@@ -213,25 +166,17 @@ void write_deviation(ErrorPlanes const& planes, Surfaces const& made, bool error
 void write_errors_in(ErrorPlanes const& planes, CaseSurface const& in_slices, Surfaces const& made, ContactCase& result)
 {
     ContactContext const& context = planes.surface.context();
-    // planes between slices that are solved anew have their own chords, were made to clear a tooth by points, and have
-    // corners that move along the flank
-    bool const anew = planes.surface.is_solved_per_plane() && made.flanks.grid.slices() > 1;
-    double const chords = anew ? 2 * context.tolerance.length : 0, reach = result.least_side_clearance;
-    // a clearance falls no faster than the flank goes on
-    write_clearance_errors(planes, made.given, unseen_length(made.flanks.grid, made.given) + chords, anew, result);
-    SliceClearances const& clearances = planes.clearances;
+    write_clearance_errors(planes, made.given,
+                           unseen_length(made.flanks.grid, made.given) + chords_of(planes.surface, made.cleared),
+                           has_planes_solved_anew(planes.surface, made.cleared), result);
     // with the same tip circle and side clearance the cleared surface is the one that was made
-    bool const same = made.cleared.tip == made.tip && reach == made.given;
-    ClearanceSet const flank = flank_set(planes.cleared.grid, !has_mirrored_flanks(context)),
-                       root = root_set(planes.outline, made.given, context.tolerance);
-    TurnsOfSet const turns = turns_of(clearances, flank, reach, same ? planes.flank : nullptr);
-    result.least_side_clearance_error =
-        least_clearance_error(context, clearances, flank, reach, false, turns) +
-        unseen_length(made.cleared.flanks.grid, reach) + chords +
-        (anew ? overlap_at_ends(planes.cleared.grid, reach, lowest_of(turns, false)) : 0);
+    bool const same = made.cleared.tip == made.tip && made.cleared.offset == made.given;
+    result.least_side_clearance_error = found_clearance_error(planes.surface, planes.clearances, planes.cleared.grid,
+                                                              made.cleared, same ? planes.flank : nullptr);
+    ClearanceSet const root = root_set(planes.outline, made.given, context.tolerance);
     result.least_root_clearance_error =
-        least_clearance_error(context, clearances, root, result.least_root_clearance, true,
-                              turns_of(clearances, root, result.least_root_clearance,
+        least_clearance_error(context, planes.clearances, root, result.least_root_clearance, true,
+                              turns_of(planes.clearances, root, result.least_root_clearance,
                                        result.least_root_clearance == 0 ? planes.root : nullptr));
     result.least_tip_radius_error = least_tip_radius_error(in_slices, planes.surface, planes.cleared, made.cleared,
                                                            result.least_side_clearance_error, made.given);
@@ -251,13 +196,10 @@ void write_errors(CaseSurface const& surface, SliceClearances const& clearances,
         else
             write_deviation(planes, made, false, result);
     };
-    std::size_t const fewest = surface.is_ruled() ? fewest_planes : fewest_turn_planes;
-    if (surface.is_alike() || surface.z().size() >= fewest)
+    if (has_enough_planes(surface))
         return write(
             {surface, clearances, made.outline, made.flanks.grid, made.cleared.flanks, &made.flank, &made.root});
-    CaseSurface finer = surface;
-    while (finer.z().size() < fewest)
-        finer = finer.refined();
+    CaseSurface const finer = in_enough_planes(surface);
     std::optional<SliceClearances> anew;
     if (errors)  // a deviation needs none
         anew.emplace(surface.context(), finer.builder());

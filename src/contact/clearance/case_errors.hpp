@@ -26,8 +26,4 @@ struct Surfaces
 void write_errors(CaseSurface const& surface, SliceClearances const& clearances, Surfaces const& made, bool errors,
                   ContactCase& result);
 
-/// Fewest planes that say something about what lies between them: gaps, and how far a ruled surface deviates; full
-/// turns, which are smoother, are the least over all angles and take longer.
-inline constexpr std::size_t fewest_planes = 9, fewest_turn_planes = 5;
-
 }  // namespace hdconj::contact

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "clearance_error.hpp"
 #include "contact/gap_field.hpp"
 #include "contact/study/contact_case.hpp"
 #include "contact/study/contact_study_data.hpp"
@@ -207,13 +208,19 @@ FlankSurface surface_of(CaseSurface const& surface, Cleared part, double given)
 
 }  // namespace
 
-FlankSurface flank_surface(ContactContext const& context, surface::SurfaceSpec const& spec, bool clearing)
+FlankSurface flank_surface(ContactContext const& context, surface::SurfaceSpec const& spec, bool clearing, bool error)
 {
     double const given = given_clearance(context.scene);
     if (!context.scene.circular_spline.automatic_backlash && !clearing)
         return surface_with_clearance(context, spec, given);
     CaseSurface const surface(context, spec);
-    return surface_of(surface, clear_flanks(surface, SliceClearances(context), given), given);
+    SliceClearances const clearances(context);
+    Cleared const cleared = clear_flanks(surface, clearances, given);
+    FlankSurface result = surface_of(surface, cleared, given);
+    if (error)  // of the larger of both
+        result.offset_error =
+            std::max(0.0, error_of_clearance(surface, clearances, cleared) - (result.offset - cleared.offset));
+    return result;
 }
 
 FlankSurface surface_with_clearance(ContactContext const& context, surface::SurfaceSpec const& spec, double clearance)

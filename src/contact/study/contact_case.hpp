@@ -21,10 +21,12 @@ struct FlankSurface
     FlankGrid grid;                     ///< with it
     double offset = 0;                  ///< [mm]
     double tip = 0;                     ///< [mm]
+    double offset_error = 0;            ///< estimated, of a side clearance that was found [mm]; else 0
 };
 /// @param clearing  as for "auto", whatever the scene says
+/// @param error     the error of the side clearance is estimated too
 [[nodiscard]] FlankSurface flank_surface(ContactContext const& context, surface::SurfaceSpec const& spec,
-                                         bool clearing = false);
+                                         bool clearing = false, bool error = false);
 
 /// flank_surface() of a scene that gives the side clearance @p clearance [mm].
 [[nodiscard]] FlankSurface surface_with_clearance(ContactContext const& context, surface::SurfaceSpec const& spec,

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "contact/clearance/case_errors.hpp"
+#include "contact/clearance/clearance_error.hpp"
 #include "contact/clearance/part_flanks.hpp"
 #include "surface/slice_places.hpp"
 

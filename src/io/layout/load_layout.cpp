@@ -145,12 +145,14 @@ void write_load_case(Writer const& place, LoadCase const& each, int balls)
 /// Estimates, worth something where `estimated` is 1.
 void write_errors(Writer const& place, std::vector<LoadCase> const& cases, int balls)
 {
-    auto const backlash = figures::load_case_figures()["backlash"];
     place.integers("estimated", column(cases, &LoadCase::estimated),
                    {"1", "whether the errors were estimated", {"case"}});
     place.integers("pressure_at_edge", column(cases, &LoadCase::pressure_at_edge),
                    {"1", "whether the largest pressure is at an end of the face width", {"case"}});
-    place.numbers(backlash.name, column(cases, backlash.error), layout::about_error(backlash, "", "case"));
+    for (char const* const name : {"backlash", "backlash_offset"}) {
+        auto const figure = figures::load_case_figures()[name];
+        place.numbers(figure.name, column(cases, figure.error), layout::about_error(figure, "", "case"));
+    }
     write_error_columns(place, "case", figures::loaded_state_figures(balls), column(cases, &LoadCase::error));
 }
 

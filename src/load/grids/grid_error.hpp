@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "assembled_drive.hpp"
 #include "coarse_path.hpp"
 
 namespace hdconj::load {
@@ -35,9 +34,9 @@ namespace hdconj::load {
 /// @param safety   grid_safety()
 [[nodiscard]] int count_error(int fine, std::span<int const> coarser, int sectors, double safety);
 
-/// Difference of the assembled wall between grids, as grid_difference(): the largest radial one in a slice [mm].
-/// Domain: drives with a coarse grid.
-[[nodiscard]] double wall_difference(contact::ContactContext const& context, DriveGrids const& drives);
+/// Turn that closes a gap by @p length along the normal of a flank at the radius @p radius [mm, rad]. A flank is as
+/// steep as the rounded edges of tips: tan(alpha) = 0.8, alpha between its normal and the circumference.
+[[nodiscard]] double turn_to_close(double length, double radius);
 
 /// Error of the play @p width between the first touches of both sides [rad] from its values on coarser grids. First
 /// touches of all grids may agree by chance, but places of teeth are known no better than the wall: where it moves by
@@ -49,23 +48,11 @@ namespace hdconj::load {
 [[nodiscard]] double backlash_error(double width, std::span<double const> coarser, double wall, double radius,
                                     double safety);
 
-/// Enters the errors of @p cup, as it is on the fine grid.
-/// Domain: drives with a coarse grid.
-void estimate_errors(contact::ContactContext const& context, DriveGrids const& drives, AssembledCup& cup);
-
 /// Errors of the states of @p branch.
 /// @param coarser  at least one, each on a grid half as fine as the one before
 /// @returns one for each state; none where the first of the coarser grids has no equilibrium
 [[nodiscard]] std::vector<std::optional<LoadedState>> branch_errors(LoadProblem const& problem,
                                                                     TorqueBranch const& branch,
                                                                     std::vector<CoarseBranch> const& coarser);
-
-/// Error of the largest stress from its values on all grids, from CupStress::unresolved and from what
-/// spread_over_slices() changes, @p of_slices. All in MPa. Half of the sum of the first two, and no less than 8 % of
-/// the stress, since the grids have elements of the same length: 34 drives, 16 of them designed, 18 like type-50, are
-/// within it of a grid with four times the slices and elements a quarter as large. Slices and harmonics of coarser
-/// grids may cancel; so no less than 1.5 times what slices change, which is about what 33 slices change.
-[[nodiscard]] double stress_error(double fine, std::span<double const> coarser, double unresolved, double of_slices,
-                                  double safety);
 
 }  // namespace hdconj::load

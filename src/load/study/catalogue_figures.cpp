@@ -101,6 +101,23 @@ void add_chord_errors(CurveBranches const& curve, StiffnessStages& stages)
     }
 }
 
+void raise(double& error, double least)
+{
+    error = std::max(error, least);
+}
+
+/// Raises the errors of the knee to how far two lines with the errors of their slopes may meet from it: far, where they
+/// are nearly parallel, but on the curve.
+void add_slope_errors(CurveBranches const& curve, StiffnessStages& stages)
+{
+    if (stages.knee == 0 || stages.first == stages.second)
+        return;
+    LoadedState const& last = curve.forth.back();
+    double const relative = (stages.first_error + stages.second_error) / std::abs(stages.second - stages.first);
+    raise(stages.knee_error, std::min(relative * std::abs(stages.knee), std::abs(last.torque)));
+    raise(stages.knee_twist_error, std::min(relative * std::abs(stages.knee_twist), std::abs(last.twist)));
+}
+
 }  // namespace
 
 std::optional<CatalogueFigures> catalogue_figures(CatalogueTorques const& torques, CurveBranches const& fine,
@@ -127,13 +144,16 @@ std::optional<CatalogueFigures> catalogue_figures(CatalogueTorques const& torque
     }
     if (lost_motion.empty())
         return result;
-    // Grids may agree by chance in one of them: relative to its size, none gets less than the worst.
-    constexpr double slope_factor = 1.25, lost_motion_factor = 4.2;  // times the safety, see grid_error.cpp
+    // Grids may agree by chance in one of them: relative to its size, none gets less than the worst. Those of K1 are
+    // the largest. Times the safety, see grid_error.cpp.
+    constexpr double lost_motion_factor = 4.2;
+    constexpr std::array slope_factors{1.65, 0.9, 0.9};
     double relative = 0;
     for (std::size_t i = 0; i < k.size(); ++i)
-        relative = std::max(relative, slope_factor * safety * grid_difference(found->k[i], k[i]) / found->k[i]);
-    for (Stiffness* const figure : {&result.k1, &result.k2, &result.k3})
-        figure->error = relative * figure->value;
+        relative = std::max(relative, safety * grid_difference(found->k[i], k[i]) / found->k[i]);
+    Stiffness* const slopes[] = {&result.k1, &result.k2, &result.k3};
+    for (std::size_t i = 0; i < k.size(); ++i)
+        slopes[i]->error = slope_factors[i] * relative * slopes[i]->value;
     result.lost_motion_error = std::max(lost_motion_factor * safety * grid_difference(found->lost_motion, lost_motion),
                                         relative_twist * (result.lost_motion - 2 * torques.lost_motion * series));
     result.estimated = true;
@@ -147,23 +167,25 @@ StiffnessStages stages_of(CurveBranches const& fine, std::vector<CurveBranches> 
     for (CurveBranches const& curve : coarser)
         others.push_back(lines_of(curve));
     std::vector<double> values(others.size());
+    constexpr double factor = 1.35;  // of the error over the difference, times the safety, see grid_error.cpp
     for (std::size_t i = 0; i < std::size(figures_of_stages); ++i) {
         std::ranges::transform(others, values.begin(), figures_of_stages[i]);
         stages.*errors_of_stages[i] =
-            values.empty() ? 0 : safety * grid_difference(stages.*figures_of_stages[i], values);
+            values.empty() ? 0 : factor * safety * grid_difference(stages.*figures_of_stages[i], values);
     }
     if (!coarser.empty())
         add_chord_errors(fine, stages);
     // Grids may agree by chance in one of them. So the first line and the knee have at least the relative error of the
-    // worse line; the second line, at larger torques, a third of it: those of 48 drives are within 0.6 of that.
+    // worse line; the second line, at larger torques, a third of it: those of 118 drives are within 0.8 of that.
     constexpr double share_of_second = 1.0 / 3;
     double relative = 0;
     for (std::size_t i = 0; i < 2; ++i)
         if (stages.*figures_of_stages[i] != 0)
             relative = std::max(relative, stages.*errors_of_stages[i] / std::abs(stages.*figures_of_stages[i]));
     for (std::size_t i = 0; i < std::size(figures_of_stages); ++i)
-        stages.*errors_of_stages[i] = std::max(stages.*errors_of_stages[i], (i == 1 ? share_of_second : 1) * relative *
-                                                                                std::abs(stages.*figures_of_stages[i]));
+        raise(stages.*errors_of_stages[i],
+              (i == 1 ? share_of_second : 1) * relative * std::abs(stages.*figures_of_stages[i]));
+    add_slope_errors(fine, stages);
     return stages;
 }
 

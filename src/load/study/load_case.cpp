@@ -13,6 +13,7 @@
 #include "catalogue_figures.hpp"
 #include "hdconj/error.hpp"
 #include "load/grids/branch_on_grids.hpp"
+#include "load/grids/cup_error.hpp"
 #include "load/grids/force_errors.hpp"
 #include "load/grids/grid_error.hpp"
 #include "load/model/cup_shape.hpp"
@@ -82,7 +83,7 @@ std::optional<double> enough_clearance(contact::ContactContext const& context, A
 }  // namespace
 
 SurfaceWithPlay surface_with_play(contact::ContactContext const& context, AssembledDrive const& drive,
-                                  surface::SurfaceSpec const& choice)
+                                  surface::SurfaceSpec const& choice, bool error)
 {
     bool const automatic = context.scene.circular_spline.automatic_backlash;
     LoadedShape const& shape = drive.unloaded.shape;
@@ -96,12 +97,12 @@ SurfaceWithPlay surface_with_play(contact::ContactContext const& context, Assemb
         double const overlap = tip_overlap(problem_of(surface), shape, middle_of(*play));
         return TipInterference{overlap, surface.tip + overlap};
     };
-    SurfaceWithPlay result{.surface = contact::flank_surface(context, choice)};
+    SurfaceWithPlay result{.surface = contact::flank_surface(context, choice, false, automatic && error)};
     std::optional<Play> play = play_of(problem_of(result.surface), shape);
     if (!automatic && !(play && width_of(*play) >= 0)) {
         result.cleared = true;
         result.given_tips = tips_of(result.surface, play);
-        contact::FlankSurface cleared = contact::flank_surface(context, choice, true);
+        contact::FlankSurface cleared = contact::flank_surface(context, choice, true, error);
         if (cleared.grid.point != result.surface.grid.point)  // the play of the same flanks is known
             play = play_of(problem_of(cleared), shape);
         result.surface = std::move(cleared);
@@ -126,6 +127,7 @@ LoadCase assembled_case(contact::ContactContext const& context, surface::Surface
     result.tilt = choice.tilt;
     result.side_clearance_increased = contact::is_side_clearance_increased(context, assembled.surface.offset);
     result.backlash_offset = assembled.surface.offset;
+    result.backlash_offset_error = assembled.surface.offset_error;
     result.tip = assembled.surface.tip;
     result.tip_radius_increase = contact::tip_radius_increase(context, assembled.surface.tip);
     result.cleared = assembled.cleared;
@@ -219,6 +221,19 @@ void enter_stress(contact::ContactContext const& context, DriveGrids const& driv
     result.curve_error[result.rated]->largest_stress = result.error.largest_stress;
 }
 
+/// Adds what the error of the side clearance adds to others: every flank of the ring may be reached by @p turn later
+/// [rad], under any torque. A slope between two torques does not change.
+void add_clearance_error(double turn, LoadCase& result)
+{
+    result.backlash_error += 2 * turn;
+    for (auto& error : result.curve_error)
+        if (error)
+            error->twist += turn;
+    result.stages.knee_twist_error += turn;
+    if (result.catalogue)
+        result.catalogue->lost_motion_error += 2 * turn;
+}
+
 }  // namespace
 
 SolvedCase load_case(contact::ContactContext const& context, DriveGrids const& drives,
@@ -226,7 +241,7 @@ SolvedCase load_case(contact::ContactContext const& context, DriveGrids const& d
 {
     auto const begin = std::chrono::steady_clock::now();
     AssembledDrive const& fine = drives.fine;
-    SurfaceWithPlay const assembled = surface_with_play(context, fine, choice);
+    SurfaceWithPlay const assembled = surface_with_play(context, fine, choice, !drives.coarser.empty());
     contact::FlankGrid const& flanks = assembled.surface.grid;
     LoadCase result = assembled_case(context, choice, assembled);
     if (observer.on_play)
@@ -245,6 +260,7 @@ SolvedCase load_case(contact::ContactContext const& context, DriveGrids const& d
 
     PathsOnGrids const paths{path, coarser, compliance_of(drives.series)};
     BranchWithErrors const rated = solve_curve(context, paths, torques, observer, result);
+    add_clearance_error(turn_to_close(result.backlash_offset_error, context.geometry.r_m), result);
     LoadedState const& state = result.curve[result.rated];
     result.members = twist_members(state, free_twist(path, state.torque),
                                    cup_in_torsion(fine.model.drive, fine.model.radius), drives.series);

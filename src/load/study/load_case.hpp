@@ -26,9 +26,10 @@ struct SurfaceWithPlay
 
 /// The surface with the scene's side clearance or, where with that the assembled teeth press on both flanks or their
 /// tips along a radius, with the smallest that clears.
+/// @param error  that of a side clearance that is found is estimated too
 /// @throws NumericalError where the teeth interfere at every turn
 [[nodiscard]] SurfaceWithPlay surface_with_play(contact::ContactContext const& context, AssembledDrive const& drive,
-                                                surface::SurfaceSpec const& choice);
+                                                surface::SurfaceSpec const& choice, bool error = false);
 
 /// Who is told of a case while it is computed.
 struct CaseObserver

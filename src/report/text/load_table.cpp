@@ -43,8 +43,12 @@ void write_errors_of(Page& page, LoadStudy const& study, LoadCase const& each)
             "--no-errors");
         return;
     }
-    std::string row = fmt::format("{:<25}{:>8}{:>10}", "    +-", "",
-                                  marked_error(figures::load_case_figures()["backlash"], each, each));
+    auto const of_case = [&, rows = figures::load_case_figures()](char const* name) {
+        return marked_error(rows[name], each, each);
+    };
+    std::string row =
+        fmt::format("{:<25}{:>8}{:>10}", "    +-", each.backlash_offset_error > 0 ? of_case("backlash_offset") : "",
+                    of_case("backlash"));
     for (char const* const name : {"K1", "K2", "K3"})
         row += fmt::format(
             "{:>9}",

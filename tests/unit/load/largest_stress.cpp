@@ -3,7 +3,7 @@
 /// How far the largest stress depends on forces being in slices.
 #include <array>
 
-#include "load/grids/grid_error.hpp"
+#include "load/grids/cup_error.hpp"
 #include "load/model/cup_shape.hpp"
 #include "support/catch.hpp"
 
