@@ -155,6 +155,10 @@ void suggest_options(CLI::App const& program, std::string const& scene)
         for (auto const& key : table.keys)
             keys.emplace_back(key.spec.key);
     for (std::string const& given : program.remaining(true)) {
+        if (has_scene && !given.starts_with('-') && given.find('=') != std::string::npos) {
+            std::cerr << "Write --set before each key, such as --set " << given << ".\n";
+            return;
+        }
         if (has_scene && !given.starts_with('-')) {
             std::cerr << "One scene is read, and '" << scene
                       << "' was taken for it. A list is one word with commas, such as 0,0.1,0.2.\n";

@@ -19,6 +19,7 @@ namespace {
 void check_wire(SceneReading const& reading, Faults& faults)
 {
     WireRequest const& wedm = *reading.scene.wedm;
+    constexpr double steps_per_mm = 1000;  // in which a hole is told
     bool const whole = knows(reading, {"wedm.wire_diameter", "wedm.spark_gap"});
     if (whole && wedm.spark_gap > wedm.wire_diameter)
         add_at(faults, "wedm.spark_gap", number_text(wedm.spark_gap), "a gap wider than the wire is no spark gap",
@@ -42,11 +43,16 @@ void check_wire(SceneReading const& reading, Faults& faults)
     double const least = wedm.start_hole_radius + reach + stock;
     if (whole && knows(reading, {"wedm.start_hole_radius", "wedm.lead_in"}) && wedm.lead_in <= least) {
         bool const told = reading.scene.given.contains("wedm.lead_in");
+        // a lead-in that reaches beyond the axis of the bore is refused too
+        bool const fits = wedm.part == WirePart::flexspline || !knows(reading, {"drive.module"}) ||
+                          least < 0.5 * reading.scene.drive.module * reading.scene.drive.flexspline_teeth;
+        std::string const hole = short_number(std::floor(steps_per_mm * (wedm.lead_in - reach - stock)) / steps_per_mm);
         add_at(faults, told ? "wedm.lead_in" : "wedm.start_hole_radius",
                number_text(told ? wedm.lead_in : wedm.start_hole_radius),
                "the start hole would reach into the cut along the part: its centre is " + number_text(wedm.lead_in) +
                    " mm from the tip land, its radius " + number_text(wedm.start_hole_radius) + " mm",
-               "write a lead_in above " + short_number(least) + ", or a smaller hole");
+               fits ? "write a lead_in above " + short_number(least) + ", or a smaller hole"
+                    : "write a start_hole_radius below " + hole);
     }
 }
 

@@ -82,6 +82,7 @@ std::vector<BadKeys> const& keys()
         {{"wedm.start_hole_radius=0.05"}, "wedm.start_hole_radius", "do not go through a start hole", "above 0.056"},
         {{"wedm.start_hole_radius=0"}, "wedm.start_hole_radius", "above 0", "such as start_hole_radius = 0.5"},
         {{"wedm.start_hole_radius=2.95"}, "wedm.start_hole_radius", "would reach into the cut", "smaller hole"},
+        {{"wedm.start_hole_radius=25"}, "wedm.start_hole_radius", "would reach into the cut", "radius below 2.944"},
         {{"wedm.lead_in=0.5"}, "wedm.lead_in", "start hole would reach into the cut", "lead_in above 0.556"},
         {{"wedm.lead_in=40"}, "wedm.lead_in", "beyond the middle of the bore", "at most 25.025"},
         {{"wedm.lead_in=-3"}, "wedm.lead_in", "above 0", "such as lead_in = 3.0"},

@@ -217,6 +217,9 @@ StoredOutline stored_outline(StoredGroup const& result)
     require(
         format != "hdconj-neutral-curve",
         "it holds the neutral curve of a wanted scene; take the drive that hdconj solve --completed DRIVE.toml writes");
+    require(format != "hdconj-inspection",
+            "it holds the inspection of a part; take the file that solve, contact, load or "
+            "run wrote of the drive");
     require(format == "hdconj", "it is of another program");
     int const version = result.attribute<int>("format_version");
     require(version <= format_version, "it was written by a newer version");

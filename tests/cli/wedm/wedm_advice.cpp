@@ -94,6 +94,22 @@ TEST_CASE("wedm says first that a leaning wire would cross the axis, and how thi
     CHECK(wedm(tilted + std::to_string(std::stod(most) + 1), folder).status != 0);
 }
 
+TEST_CASE("wedm says how thick a workpiece with a ruled cone may be, beyond which no land is left", "[wedm]")
+{
+    TemporaryFolder const folder;
+    std::string const coned =
+        "--quiet --set coning.model=linear --set coning.bottom_to_middle=9 --set slices.count=5 --set "
+        "slices.surface=ruled --set wedm.surface_limit=0.05 --set wedm.residual_limit=0.02 --set wedm.thickness=";
+    auto const refused = wedm(coned + "12", folder);
+    CHECK(refused.status == 2);
+    CHECK_THAT(refused.err, ContainsSubstring("in the lower face of a workpiece of 12 mm no land is left"));
+    CHECK(refused.err.size() < 300);
+    std::string const most = advised(refused.err, "write at most", " ");
+    CHECK(wedm(coned + most, folder).status == 0);
+    CHECK(wedm(coned + std::to_string(std::stod(most) + 1), folder).status != 0);
+    CHECK(wedm(coned + "12 --set circular_spline.inner_radius=25.2", folder).status == 0);
+}
+
 TEST_CASE("wedm says how far a machine has to travel, and which lead-in is enough for it", "[wedm]")
 {
     TemporaryFolder const folder;
