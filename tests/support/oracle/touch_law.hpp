@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <ostream>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "hdconj/solution.hpp"
+#include "support/run/full_run.hpp"
 #include "touch.hpp"
 
 namespace oracle {
@@ -21,12 +21,7 @@ namespace oracle {
 /// The law's own limit [mm].
 inline constexpr double touch_limit = 1e-9;
 
-/// HDCONJ_FULL=1 in the environment: look at every point.
-inline bool full_run()
-{
-    char const* value = std::getenv("HDCONJ_FULL");
-    return value && std::string(value) == "1";
-}
+using hdconj::test::full_run;
 
 /// The law holds on pieces made by the tooth: touched, not only not entered.
 inline bool must_be_touched(std::string const& kind)

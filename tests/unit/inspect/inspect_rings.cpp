@@ -2,7 +2,6 @@
 // Rings whose errors are known: without noise each figure comes back, with noise its interval holds it.
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 #include <set>
 
@@ -10,6 +9,7 @@
 #include "hdconj/read_scene.hpp"
 #include "support/catch.hpp"
 #include "support/measured_ring.hpp"
+#include "support/run/full_run.hpp"
 
 namespace hdconj::test::inspect_rings_cases {
 
@@ -20,7 +20,7 @@ constexpr int small_ring = 60;
 /// Rings of each kind: few, or with HDCONJ_FULL all of them.
 int rings_of_kind(int full)
 {
-    return std::getenv("HDCONJ_FULL") != nullptr ? full : 2;
+    return full_run() ? full : 2;
 }
 
 void give_errors(MeasuredRing& ring, designs::Draws& draws, double form)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Adjacent teeth keep the errors that they have in common, whatever the registration shifts.
 #include <cmath>
-#include <cstdlib>
 #include <numeric>
 #include <string>
 
@@ -9,6 +8,7 @@
 #include "hdconj/read_scene.hpp"
 #include "support/catch.hpp"
 #include "support/measured_ring.hpp"
+#include "support/run/full_run.hpp"
 
 namespace hdconj::test::sectors_cases {
 namespace {
@@ -115,7 +115,7 @@ Inspection scattered_teeth(int teeth, bool both, double scatter, std::uint64_t s
 
 TEST_CASE("what a sector's shift has of the places of single teeth is told", "[inspect]")
 {
-    int const rings = std::getenv("HDCONJ_FULL") != nullptr ? 200 : 30;
+    int const rings = full_run() ? 200 : 30;
     auto const both = GENERATE(true, false);
     auto const teeth = GENERATE(8, 16);
     int held = 0, all = 0, exceeded = 0, without_cause = 0;

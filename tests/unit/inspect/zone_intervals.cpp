@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Intervals of registrations that turn and shift hold what the same ring gives without noise.
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 
 #include "hdconj/inspect.hpp"
 #include "support/catch.hpp"
 #include "support/measured_ring.hpp"
+#include "support/run/full_run.hpp"
 
 namespace hdconj::test::zone_intervals_cases {
 namespace {
@@ -55,7 +55,7 @@ struct Share
 TEST_CASE("intervals hold the registration and the figures of the same ring without noise", "[inspect]")
 {
     auto const registration = GENERATE(Registration::least_squares, Registration::minimum_zone);
-    int const rings = std::getenv("HDCONJ_FULL") != nullptr ? 400 : 60;
+    int const rings = full_run() ? 400 : 60;
     Share placement, flanks, teeth, circle, extremes;
     for (int i = 0; i < rings; ++i) {
         auto const seed = 7000 + static_cast<std::uint64_t>(i);
