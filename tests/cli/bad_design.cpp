@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bad_commands.hpp"
+#include "support/run/full_run.hpp"
 
 namespace hdconj::test::bad_design_cases {
 namespace {
@@ -72,7 +73,6 @@ std::vector<BadCommand> const& design_commands()
         {fifty + "--safety 50", "--safety = 50", "above 10", "works is 10"},
         {"--ratio 30 --diameter 50 --safety 5", "--safety = 5", "bending the ring stresses it",
          "the nearest that works is "},
-        {fifty + "--torque 1e6", "--torque = 1e+06", "with the best wall", "the nearest that works is "},
         {fifty + "-o there.toml", "there.toml", "is there already", "--force"},
         {fifty + "-o .", ".", "this is a folder", "name a file in it"},
         {fifty + "-o ''", "--output", "an empty name", "write a name"},
@@ -92,6 +92,10 @@ TEST_CASE("design refuses wishes with place, reason and the nearest that works",
     REQUIRE(design_commands().size() >= 40);
     for (auto const& row : design_commands())
         check_refused("design", row, folder);
+    if (full_run())  // every wall is tried, as law/design_wishes does with its words
+        check_refused("design",
+                      {fifty + "--torque 1e6", "--torque = 1e+06", "with the best wall", "the nearest that works is "},
+                      folder);
 }
 
 TEST_CASE("with JSON refused wishes are one object with every fault", "[cli][design]")
@@ -115,7 +119,7 @@ TEST_CASE("init refuses a drive that it does not have", "[cli][design]")
 TEST_CASE("init writes ready drives that solve without a note and carry their torque", "[cli][design]")
 {
     TemporaryFolder folder;
-    for (std::string const size : {"size-14", "size-32"}) {
+    for (std::string const size : {"size-20"}) {
         auto const made = hdconj_run("init " + size + ".toml --like " + size, folder.path());
         INFO(made.err);
         REQUIRE(made.status == 0);
@@ -124,7 +128,9 @@ TEST_CASE("init writes ready drives that solve without a note and carry their to
         CHECK(solved.status == 0);
         CHECK(solved.out.find("judgement") == std::string::npos);
         CHECK(solved.out.find(size + ":") != std::string::npos);
-        auto const loaded = hdconj_run("load " + size + ".toml --no-curve --no-errors", folder.path());
+        auto const loaded =
+            hdconj_run("load " + size + ".toml --no-curve --no-errors --set slices.count=3 --set bearing.circles=5",
+                       folder.path());
         INFO(loaded.err);
         CHECK(loaded.status == 0);
     }
@@ -159,7 +165,7 @@ TEST_CASE("design writes a scene that check, contact and load take", "[cli][desi
     REQUIRE(made.status == 0);
     CHECK(made.out.find("\"stress_loaded_MPa\"") != std::string::npos);
     for (std::string const verb :
-         {"check d.toml --strict", "solve d.toml --strict", "contact d.toml", "load d.toml --no-curve"}) {
+         {"check d.toml --strict", "solve d.toml --strict", "contact d.toml", "load d.toml --no-curve --no-errors"}) {
         auto const taken = hdconj_run(verb, folder.path());
         INFO(verb << "\n" << taken.err);
         CHECK(taken.status == 0);

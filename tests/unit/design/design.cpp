@@ -15,6 +15,7 @@
 #include "hdconj/read_scene.hpp"
 #include "hdconj/solve.hpp"
 #include "support/catch.hpp"
+#include "support/run/full_run.hpp"
 
 namespace hdconj::test::design_cases {
 namespace {
@@ -42,6 +43,13 @@ double value(Design const& design, std::string_view symbol)
             return row.number();
     FAIL("no row is called " << symbol);
     return 0;
+}
+
+/// Whether @p design says that the assembled cup was not looked at, for want of a torque.
+bool says_without_torque(Design const& design)
+{
+    return std::ranges::any_of(design.remarks,
+                               [](std::string const& each) { return each.starts_with("without --torque"); });
 }
 
 }  // namespace
@@ -161,8 +169,11 @@ TEST_CASE("a design under torque keeps its land with the clearances that its con
     all[1].clearance = 0.01;
     all[2].torque = 15 * newton_metre;
     all[2].family = "involute";
+    if (!full_run())
+        all.pop_back();  // one whose walls are nearly all tried, for half a minute
     for (DesignWishes const& wishes : all) {
         Design const made = design_drive(wishes);
+        CHECK_FALSE(says_without_torque(made));
         Scene const& scene = made.scene;
         INFO(wishes.family << " " << wishes.ratio);
         CHECK(scene.circular_spline.backlash_offset > wishes.clearance);
@@ -239,7 +250,8 @@ TEST_CASE("the page of design rules states the rules of the program", "[design]"
 
 TEST_CASE("ready drives keep the rules and solve without a note", "[design]")
 {
-    for (auto const& each : ready_drives()) {
+    std::vector<ReadyDrive> const& all = ready_drives();
+    for (auto const& each : full_run() ? all : std::vector{all.front(), all.back()}) {
         Design const made = design_drive(ready_wishes(each.name));
         INFO(each.name);
         CHECK(made.scene.drive.name == each.name);
@@ -297,15 +309,9 @@ TEST_CASE("text and JSON of a design say the same", "[design]")
 
 TEST_CASE("a design without a torque says that the assembled cup was not looked at", "[design]")
 {
-    auto const says = [](DesignWishes const& wishes) {
-        return std::ranges::any_of(design_drive(wishes).remarks,
-                                   [](std::string const& each) { return each.starts_with("without --torque"); });
-    };
     DesignWishes wishes = type_50();
     wishes.torque.reset();
-    CHECK(says(wishes));
-    wishes.torque = 28 * newton_metre;
-    CHECK_FALSE(says(wishes));
+    CHECK(says_without_torque(design_drive(wishes)));
 }
 
 TEST_CASE("a module that no standard has is taken where it is asked for", "[design]")
@@ -375,7 +381,7 @@ TEST_CASE("the figures of another steel have ranges of their own", "[design]")
 
 TEST_CASE("the nearest side clearance that is named is the same from far and from near", "[design]")
 {
-    for (double const asked : {1.0, 0.2, 0.16}) {
+    for (double const asked : full_run() ? std::vector{1.0, 0.2, 0.16} : std::vector{1.0, 0.16}) {
         DesignWishes wishes = type_50();
         wishes.clearance = asked;
         CAPTURE(asked);
@@ -396,6 +402,8 @@ TEST_CASE("the nearest side clearance that is named is the same from far and fro
 
 TEST_CASE("the nearest torque that is named works, and is named for the next larger one too", "[design]")
 {
+    if (!full_run())  // a minute: unit/design/torque_search does it with walls whose stress is a formula,
+        return;       // law/design_wishes with one drive whose named torque works
     DesignWishes wishes = type_50();
     auto const nearest_to = [&](double torque) {
         wishes.torque = torque * newton_metre;

@@ -31,7 +31,7 @@ TEST_CASE("a report that is stopped keeps the parts before, and names the rest",
     options.load.torque = 1000;
     int asked = 0, allowed = 0;
     options.stop = [&] { return asked++ >= allowed; };
-    Scene const scene = builtin_scene({"slices.count=3", "contact.flank_points=20"});
+    Scene const scene = builtin_scene({"slices.count=3", "contact.flank_points=20", "!load"});
     SECTION("before any part")
     {
         ReportedDrive const drive = report_drive(scene, options);
