@@ -26,7 +26,7 @@ LoadStudy at_torque(double torque, Keys const& more = {}, StageObserver const& o
     keys.insert(keys.end(), more.begin(), more.end());
     LoadOptions options;
     options.torque = torque * newton_metre;
-    options.curve = false;
+    options.curve = options.errors = false;
     return study_load(builtin_scene(keys), options, on_stage);
 }
 

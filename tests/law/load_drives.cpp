@@ -12,6 +12,7 @@
 #include "hdconj/units.hpp"
 #include "support/catch.hpp"
 #include "support/elastic_drives.hpp"
+#include "support/run/full_run.hpp"
 
 namespace hdconj::test::load_drives_cases {
 namespace {
@@ -59,6 +60,7 @@ Count check_drives(unsigned drives, int torques, bool all_surfaces)
         LoadOptions options;
         options.torque = drive.torque * newton_metre;
         options.points = torques;
+        options.errors = full_run();
         if (all_surfaces)
             options.surfaces.assign(surfaces.begin(), surfaces.end());
         else

@@ -19,7 +19,7 @@ namespace hdconj::test::load_pressure_cases {
 
 namespace {
 
-LoadStudy study(std::vector<std::string> const& more, bool errors = true)
+LoadStudy study(std::vector<std::string> const& more, bool errors = false)
 {
     std::vector<std::string> keys{"slices.count=9", "contact.flank_points=80", "bearing.circles=5"};
     keys.insert(keys.end(), more.begin(), more.end());
@@ -110,9 +110,8 @@ TEST_CASE("what the ends of the face width carry does not depend on where slices
     // half a millimetre holds one slice of nine, two of seventeen and two of twenty-one, of which each stands for a
     // different part of the width
     auto const at_ends = [](char const* slices) {
-        LoadStudy const solved = study(
-            {std::string("slices.count=") + slices, "slices.surface=per-slice", "circular_spline.backlash_offset=0.04"},
-            false);
+        LoadStudy const solved = study({std::string("slices.count=") + slices, "slices.surface=per-slice",
+                                        "circular_spline.backlash_offset=0.04"});
         return solved.cases.front().curve.front();
     };
     LoadedState const coarse = at_ends("9"), fine = at_ends("17"), finest = at_ends("21");
@@ -123,7 +122,7 @@ TEST_CASE("what the ends of the face width carry does not depend on where slices
 TEST_CASE("steel that flows lets more teeth carry, at no more than the flow pressure on average", "[load][pressure]")
 {
     std::string const clearance = "circular_spline.backlash_offset=0.09";
-    LoadStudy const elastic = study({clearance}), soft = study({clearance, "flow.pressure=3000"}),
+    LoadStudy const elastic = study({clearance}), soft = study({clearance, "flow.pressure=3000"}, true),
                     softer = study({clearance, "flow.pressure=2000"}), hard = study({clearance, "flow.pressure=1e5"});
     auto const state = [](LoadStudy const& of) -> LoadedState const& { return of.cases.front().curve.front(); };
     // a pressure that is never reached leaves every bit
@@ -158,8 +157,8 @@ TEST_CASE("steel that flows lets more teeth carry, at no more than the flow pres
 
 TEST_CASE("a load without errors has the same figures, bit for bit", "[load][errors]")
 {
-    LoadStudy const with = study({"circular_spline.backlash_offset=0.09"}),
-                    without = study({"circular_spline.backlash_offset=0.09"}, false);
+    LoadStudy const with = study({"circular_spline.backlash_offset=0.09"}, true),
+                    without = study({"circular_spline.backlash_offset=0.09"});
     LoadCase const &a = with.cases.front(), &b = without.cases.front();
     CHECK(a.estimated);
     CHECK_FALSE(b.estimated);
