@@ -14,6 +14,7 @@
 #include "support/contact_scenes.hpp"
 #include "support/oracle/touch.hpp"
 #include "support/polyline.hpp"
+#include "support/run/full_run.hpp"
 #include "surface/cone.hpp"
 
 namespace hdconj::test::contact_cases {
@@ -227,7 +228,7 @@ TEST_CASE("contact law: flanks with a draft that are written touch, are not ente
           "[law][contact]")
 {
     constexpr int slices = 9;
-    for (double const draft : {-1.0, -0.3, 0.3}) {
+    for (double const draft : full_run() ? std::vector{-1.0, -0.3, 0.3} : std::vector{-1.0, 0.3}) {
         Keys const drafted = with(with(coned(), sliced(slices, "tilted")), tilted(draft, "draft"));
         ContactCase const least = only_case(builtin_scene(drafted));
         Scene const scene =

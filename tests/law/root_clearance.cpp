@@ -9,6 +9,7 @@
 #include "hdconj/contact.hpp"
 #include "support/catch.hpp"
 #include "support/coned_drive.hpp"
+#include "support/run/full_run.hpp"
 
 namespace hdconj::test::root_clearance_cases {
 
@@ -46,6 +47,9 @@ TEST_CASE("roots: with side clearance the distance is that of the outline that i
 {
     for (auto const& [name, side_clearance] : {std::pair("type-50", 0.08), {"cycloid", 0.1}, {"s-tooth", 0.1}})
         for (char const* const surface : {"tilted", "per-slice"}) {
+            // each tooth on one of both surfaces
+            if (!full_run() && (name == std::string("cycloid")) != (surface == std::string("per-slice")))
+                continue;
             Scene const scene = drive_of(name, surface, side_clearance, {});
             ContactStudy const study = study_contact(scene);
             ContactCase const& found = study.cases.front();

@@ -9,6 +9,7 @@
 
 #include "hdconj/wavegen/cosine_cam.hpp"
 #include "support/catch.hpp"
+#include "support/run/full_run.hpp"
 
 namespace hdconj::test::bent_cup_error_cases {
 
@@ -59,19 +60,22 @@ TEST_CASE("what a bent cup is said to be known to holds its finer ones, of eithe
         std::vector<double> const z = {6.5, 9, 11.5};
         BentCupError const error =
             elastic::bent_cup_error(cup, bodies.with(elastic::discretised_otherwise(standard)), z, bodies.radius);
-        for (elastic::BentCupGrid const& grid : {elastic::BentCupGrid{96, 13, 2}, elastic::BentCupGrid{96, 25, 1},
-                                                 elastic::BentCupGrid{96, 37, 2}, elastic::BentCupGrid{128, 41, 3}}) {
+        std::vector<elastic::BentCupGrid> grids{{96, 13, 2}, {96, 25, 1}, {128, 41, 3}};
+        if (full_run())
+            grids.insert(grids.begin(), {96, 37, 2});
+        double finest = 0;
+        for (elastic::BentCupGrid const& grid : grids) {
             INFO(bodies.name << ", " << grid.angles << " angles, " << grid.circles << " circles, " << grid.layers
                              << " layers");
             BentCupError const distance = elastic::distance_between(cup, bodies.with(grid), z, bodies.radius);
+            finest = distance.displacement;
             CHECK(distance.displacement <= error.displacement);
             CHECK(distance.force <= error.force);
             CHECK(distance.coning_major <= error.coning_major);
         }
         // and is no empty word
         constexpr double most = 30;
-        CHECK(error.displacement <=
-              most * distance_between(cup, bodies.with({128, 41, 3}), z, bodies.radius).displacement);
+        CHECK(error.displacement <= most * finest);
     }
 }
 
