@@ -26,7 +26,8 @@ pytest.importorskip("distributed")
 from hdconj.study import _drive, _engine, _shards, _store  # noqa: E402
 from hdconj.study.__main__ import main  # noqa: E402
 
-KILLS = 20 if os.environ.get("HDCONJ_FULL") else 1
+FULL = bool(os.environ.get("HDCONJ_FULL"))
+KILLS = 20 if FULL else 1
 TEXT = """
 [set]
 "solver.tolerance" = 1e-3
@@ -110,7 +111,7 @@ def cluster(workers, folder):
             process.wait()
 
 
-@pytest.mark.parametrize("jobs", [2, 3])
+@pytest.mark.parametrize("jobs", [2, 3] if FULL else [3])
 def test_same_rows_for_every_number_of_workers(expected, tmp_path, jobs):
     study.run(recipe(90), tmp_path, jobs=jobs, shard_seconds=2, progress=False)
     assert bits(tmp_path) == expected
@@ -284,9 +285,17 @@ def test_a_drive_that_kills_its_worker_is_found(expected, tmp_path, monkeypatch)
     assert frame.loc[37, "flexspline.wall"] == recipe(50).values(37)["flexspline.wall"]
 
 
+@pytest.fixture(scope="module")
+def whole(scheduler, tmp_path_factory):
+    """The folder of a study of 90 drives, to be copied and harmed."""
+    folder = tmp_path_factory.mktemp("whole")
+    study.run(recipe(90), folder, scheduler=scheduler, shard_seconds=2, progress=False)
+    return folder
+
+
 @pytest.mark.parametrize("harm", ["truncate", "turn", "rename"])
-def test_a_broken_shard_is_made_again(expected, scheduler, tmp_path, harm):
-    study.run(recipe(90), tmp_path, scheduler=scheduler, shard_seconds=2, progress=False)
+def test_a_broken_shard_is_made_again(expected, whole, scheduler, tmp_path, harm):
+    shutil.copytree(whole, tmp_path, dirs_exist_ok=True)
     shard = sorted((tmp_path / "rows").iterdir())[-1]
     content = shard.read_bytes()
     if harm == "truncate":
@@ -300,12 +309,12 @@ def test_a_broken_shard_is_made_again(expected, scheduler, tmp_path, harm):
     assert told.done > 0 and bits(tmp_path) == expected
 
 
-def test_a_shard_of_another_study_is_made_again(expected, scheduler, tmp_path):
+def test_a_shard_of_another_study_is_made_again(expected, whole, scheduler, tmp_path):
     """Other values of the same columns, and other columns; a shard of a former version does not say whose it is."""
     import pyarrow.parquet as pq
 
     own, other = tmp_path / "own", tmp_path / "other"
-    study.run(recipe(90), own, scheduler=scheduler, progress=False)
+    shutil.copytree(whole, own)
     study.run(
         study.read_recipe(TEXT.replace("COUNT", "90").replace("seed = 5", "seed = 6")), other, scheduler=scheduler,
         progress=False,
