@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-#   hdconj_tests(<folder> [PARALLEL] TIMEOUT <seconds> SOURCES <files>)
+#   hdconj_tests(<folder> [PARALLEL] [RUNS_PROGRAM] TIMEOUT <seconds> SOURCES <files>)
 # One Catch2 program; each test case becomes a test with the folder's name as label. With HDCONJ_UNITY the files of a
 # room (<folder>/<room>/...), or else eight at a time, are compiled together: their names must be unique.
 # PARALLEL: the folder has test cases with the Catch tag [parallel]. They run together as one test that carries the
 # label `parallel` too, for the thread sanitizer: ctest -L parallel.
+# RUNS_PROGRAM: the tests mostly run the program; they are compiled without optimisation, in two thirds of the time.
 find_package(Catch2 REQUIRED)
 include(Catch)
 set(HDCONJ_TIMEOUT_FACTOR 1 CACHE STRING "Test timeouts times this; sanitizers are slow")
@@ -37,7 +38,7 @@ set(hdconj_test_options $<$<NOT:$<CONFIG:Debug>>:-O1>)
 # Said by tests that lack a program (tests/support/not_tried.hpp): ctest reports them as skipped.
 set(hdconj_not_tried SKIP_REGULAR_EXPRESSION "NOT TRIED: ")
 
-# main() and the precompiled Catch2, once for all programs.
+# main(), once for all programs, and the precompiled Catch2 for those that are optimised.
 add_library(hdconj_test_main OBJECT ${main})
 target_link_libraries(hdconj_test_main PRIVATE hdconj_test_setup)
 target_compile_options(hdconj_test_main PRIVATE ${hdconj_test_options})
@@ -75,13 +76,18 @@ function(hdconj_group_tests program)
 endfunction()
 
 function(hdconj_tests folder)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "PARALLEL" "TIMEOUT" "SOURCES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "PARALLEL;RUNS_PROGRAM" "TIMEOUT" "SOURCES")
   math(EXPR timeout "${arg_TIMEOUT} * ${HDCONJ_TIMEOUT_FACTOR}")
   set(program ${folder}_tests)
   add_executable(${program} ${arg_SOURCES} $<TARGET_OBJECTS:hdconj_test_main>)
   target_link_libraries(${program} PRIVATE hdconj_test_setup)
-  target_compile_options(${program} PRIVATE ${hdconj_test_options})
-  target_precompile_headers(${program} REUSE_FROM hdconj_test_main)
+  if(arg_RUNS_PROGRAM)
+    target_compile_options(${program} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O0>)
+    target_precompile_headers(${program} PRIVATE support/catch.hpp)
+  else()
+    target_compile_options(${program} PRIVATE ${hdconj_test_options})
+    target_precompile_headers(${program} REUSE_FROM hdconj_test_main)
+  endif()
   if(TARGET hdconj)  # to run, not to compile: the compiler need not wait for it
     set_property(TARGET ${program} PROPERTY LINK_DEPENDS "$<TARGET_FILE:hdconj>")
   endif()
