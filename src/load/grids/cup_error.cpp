@@ -93,7 +93,7 @@ void estimate_errors(contact::ContactContext const& context, DriveGrids const& d
     cup.coning_major_error = coning_error(&AssembledCup::coning_major, 0);
     cup.coning_minor_error =
         coning_error(&AssembledCup::coning_minor, std::numbers::pi / context.scene.wave_generator.waves);
-    constexpr double force = 0.85, ball = 0.36;  // they converge faster than the shape
+    constexpr double force = 0.85, ball = 0.42;  // they converge faster than the shape
     constexpr double least_force = 0.005;        // of it: grids agree by chance, and share their harmonics
     cup.wave_generator_force_error = std::max(force * safety * difference(&AssembledCup::wave_generator_force),
                                               least_force * std::abs(cup.wave_generator_force));

@@ -25,7 +25,7 @@ std::vector<double> forces_at_balls(BearingMap const& fine, BearingMap const& co
 /// figures tell chance from convergence; a given stiffness none.
 void enter_member_errors(std::vector<std::vector<TwistMember>> const& coarser, double safety, LoadCase& result)
 {
-    constexpr double of_teeth = 0.6, of_cup = 0.42;
+    constexpr double of_teeth = 0.6, of_cup = 0.5;
     double const whole = result.curve[result.rated].twist, whole_error = result.error.twist;
     for (std::size_t m = 0; m < result.members.size(); ++m) {
         TwistMember& member = result.members[m];
