@@ -156,6 +156,18 @@ BAD = [
         )
     ),
     (FLANK, FLANK + '\n"tilt.angle_deg" = "1 if 2 else 3"', "is no arithmetic"),
+    *(
+        (
+            FLANK,
+            f'{FLANK}\n"wave_generator.radial_deformation" = "{text}"',
+            f"{text}: has no value in the middle of all that varies nor at an end: {cause} (change the link, or the",
+        )
+        for text, cause in (
+            ("sqrt(-1 - flexspline.wall)", "math domain error"),
+            ("1 / (flexspline.wall - flexspline.wall)", "float division by zero"),
+            ("flexspline.wall * 1e308 * 1e10", "is no finite number"),
+        )
+    ),
     (FLANK, FLANK + '\na = "b + 1"\nb = "a + 1"', "the links go in a circle"),
     (FLANK, '"tilt.angle_deg" = "0.1"', "links alone do not vary"),
     (FLANK, FLANK + '\na = "1 / 0"', "vary.a = 1 / 0: has no value: division by zero"),
@@ -560,7 +572,9 @@ def test_a_drive_that_cannot_be_made_is_no_fault():
         study.read_recipe(GOOD.replace(FLANK, law))
 
 
-@pytest.mark.parametrize("link", ["1 / (w - 0.7)", "1e200 ** (w / 0.3)", "log(w - 0.75)", "w * 1e308 * 1e10"])
+@pytest.mark.parametrize(
+    "link", ["1 / (w - 0.7)", "1e200 ** (1.2 / w)", "log(w - 0.75)", "(0.8 - w) * 1e308 * 1e10"]
+)
 def test_a_link_without_a_value_is_a_row(link):
     """Middle drive or not: the study is good, and the row says which link."""
     text = f'"flexspline.wall" = {{ list = [0.7, 0.8] }}\nw = "flexspline.wall"\na = "{link}"'

@@ -74,6 +74,7 @@ def _figure(columns: int, rows: int) -> tuple[Any, Any]:
     panes = figure.subplots(rows, columns, squeeze=False)
     for pane in panes.flat:
         pane.locator_params(axis="x", nbins=4)
+        pane.ticklabel_format(useOffset=False)
     return figure, panes
 
 
@@ -98,7 +99,9 @@ def keys_picture(study: Study) -> Any:
                 pane.set_xlabel(key)
             if study.frame[name].isna().all():
                 _say_none(pane)
-            if key not in numeric:
+            if key in numeric and (width := places.max() - places.min()) > 0:
+                pane.set_xlim(places.min() - 0.05 * width, places.max() + 0.05 * width)  # that of the whole column
+            elif key not in numeric:
                 places, words = places.astype(str).factorize(sort=True)
                 pane.set_xticks(range(len(words)), [""] * len(words))
                 pane.set_xlim(-0.5, len(words) - 0.5)

@@ -76,7 +76,7 @@ def probe(reader: Reader, scene: Scene, recipe: Recipe) -> None:
         line = reader.lines.get(f"set.{fault.path}", reader.lines.get(f"scene.{fault.path}", 0))
         reader.faults.append(fault._replace(path=place + fault.path, line=line))
     refused: dict[str, tuple[Fault, Mapping[str, Value]]] = {}
-    taken: set[str] = set()
+    valued, taken = _refuse_without_value(reader, recipe), set[str]()
     for key in recipe.keys:
         if _refuse_no_length(reader, key, recipe):
             continue
@@ -85,7 +85,7 @@ def probe(reader: Reader, scene: Scene, recipe: Recipe) -> None:
             faults = [fault for fault in recipe.scene_of(values).check() if fault not in own and fault.kind != "other"]
             for fault in faults:
                 _schema_fault(reader, fault, key, values, recipe)
-            for path in (path for path, _ in recipe.links if path in values):
+            for path in (path for path, _ in recipe.links if path in values and path in valued):
                 of_link = next((fault for fault in faults if _is_of(fault, path)), None)
                 if of_link is None:
                     taken.add(path)
@@ -94,6 +94,27 @@ def probe(reader: Reader, scene: Scene, recipe: Recipe) -> None:
     for path, (fault, values) in refused.items():
         if path not in taken:
             _refuse_link(reader, fault, path, values, recipe)
+
+
+def _refuse_without_value(reader: Reader, recipe: Recipe) -> set[str]:
+    """The links that have a value in the middle or at an end; tells of those that have none."""
+    links = {path: link.text for path, link in recipe.links}
+    causes: dict[str, str] = {}
+    valued: set[str] = set()
+    for change in ({}, *({key.path: value} for key in recipe.keys for value in (*key.probes, *key.between))):
+        without = len(links)
+        try:
+            recipe.linked({**recipe.first, **change})
+        except NumericalError as error:
+            causes.setdefault(error.place, error.cause.removeprefix(f"{links[error.place]}: "))
+            without = list(links).index(error.place)
+        valued.update(list(links)[:without])
+    known = {*recipe.base, *recipe.first, *links}  # ask_names() tells of other names
+    sound = {path for path, link in recipe.links if known.issuperset(link.names)}
+    for path in (path for path in causes if path not in valued and path in sound):
+        reason = f"has no value in the middle of all that varies nor at an end: {causes[path]}"
+        reader.told(f"vary.{path}", reason, "change the link, or the range of what it is of", links[path])
+    return valued
 
 
 def _is_of(fault: Fault, path: str) -> bool:

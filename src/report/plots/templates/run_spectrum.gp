@@ -11,10 +11,11 @@ highest(i) = word($names[i], 1) + 0
 largest(i) = word($names[i], 2) + 0
 panel = 190
 panel_top(i) = 96 + (panel + 78) * (i - 1)
-height = panel_top(sequences) + panel + 66
+height = panel_top(sequences) + panel + 84
 eval page
 set multiplot
 do for [i = 1:sequences] {
+  if (i == 2) { unset label 1; unset label 2 }  # of the page, which the first row of bars has drawn
   eval axes(left_edge, right_edge, panel_top(i), panel_top(i) + panel)
   set xrange [0:1.03 * highest(i)]
   set yrange [0:axis_end(largest(i))]
