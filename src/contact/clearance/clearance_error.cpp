@@ -6,6 +6,7 @@
 
 #include "contact/parallel_trim.hpp"
 #include "hdconj/base/tolerance.hpp"
+#include "hdconj/error.hpp"
 #include "numeric/least_between.hpp"
 #include "side_clearance_search.hpp"
 
@@ -89,12 +90,17 @@ CaseSurface in_enough_planes(CaseSurface surface)
 
 double error_of_clearance(CaseSurface const& surface, SliceClearances const& clearances, Cleared const& cleared)
 {
-    if (has_enough_planes(surface))
-        return found_clearance_error(surface, clearances, cleared.flanks.grid, cleared, nullptr);
-    CaseSurface const finer = in_enough_planes(surface);
-    PartFlanks const flanks = part_flanks(finer, finer.outline(cleared.tip), cleared.tip, cleared.offset);
-    return found_clearance_error(finer, SliceClearances(surface.context(), finer.builder()), flanks.grid, cleared,
-                                 nullptr);
+    if (!has_enough_planes(surface)) {
+        try {
+            CaseSurface const finer = in_enough_planes(surface);
+            PartFlanks const flanks = part_flanks(finer, finer.outline(cleared.tip), cleared.tip, cleared.offset);
+            return found_clearance_error(finer, SliceClearances(surface.context(), finer.builder()), flanks.grid,
+                                         cleared, nullptr);
+        } catch (NumericalError const& error) {
+            error.rethrow_unless_infeasible();  // a plane between the slices cannot be made
+        }
+    }
+    return found_clearance_error(surface, clearances, cleared.flanks.grid, cleared, nullptr);
 }
 
 }  // namespace hdconj::contact

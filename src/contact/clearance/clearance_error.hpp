@@ -50,7 +50,8 @@ inline constexpr std::size_t fewest_planes = 9, fewest_turn_planes = 5;
 [[nodiscard]] CaseSurface in_enough_planes(CaseSurface surface);
 
 /// Estimated error of the side clearance of @p cleared, which was found [mm]: what still enters between the slices, by
-/// the slope with which moving the flanks clears it.
+/// the slope with which moving the flanks clears it. Where planes between the slices cannot be made, the slices alone
+/// tell.
 [[nodiscard]] double error_of_clearance(CaseSurface const& surface, SliceClearances const& clearances,
                                         Cleared const& cleared);
 

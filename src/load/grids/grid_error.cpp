@@ -157,8 +157,8 @@ void level_errors(std::vector<LoadedState> const& states, std::vector<std::optio
 }
 
 /// Raises the errors of a state below the usual torque: fewer teeth carry than in the states that error_rules are of,
-/// and what grids differ in their gaps is more of what the teeth yield. Below a hundredth, where teeth that press on
-/// both flanks carry what they carry without torque, no more than there.
+/// and they yield less, so that an error of their gaps is a larger part of it. At less than a hundredth of the usual
+/// torque the errors grow no more: teeth that press on both flanks carry much the same forces there as without torque.
 void grow_at_small_torques(LoadedState const& state, Scales const& drive, LoadedState& error)
 {
     constexpr double most = 100;
