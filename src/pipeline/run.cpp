@@ -20,7 +20,7 @@
 #include "running/losses.hpp"
 #include "running/planned_sequences.hpp"
 #include "running/run_scene.hpp"
-#include "running/sequence_figures.hpp"
+#include "running/sequence_errors.hpp"
 #include "running/sequences.hpp"
 
 namespace hdconj {
@@ -80,26 +80,32 @@ void enter_part(contact::ContactStudyData& data, surface::SurfaceSpec const& spe
     study.solution = pipeline::solution_with_part(data, {spec, tip, offset});
 }
 
-/// Adds a sequence that has positions. That over a tooth pitch comes before those of the same torque at whole pitches.
-void add(RunSequence sequence, Scene const& scene, RunStudy& study)
+bool is_stopped(SequenceObserver const& observer)
 {
-    if (sequence.positions.empty())
-        return;
-    auto const pitch = std::ranges::find_if(study.sequences, [&](RunSequence const& each) {
-        return each.span == RunSpan::tooth_pitch && each.torque == sequence.torque;
-    });
-    if (sequence.span != RunSpan::tooth_pitch && pitch != study.sequences.end() && running::has_moved_ring(scene)) {
-        if (std::isfinite(pitch->peak_to_peak))
-            running::add_places_between(sequence, *pitch);
-        else  // what happens between whole pitches is not known
-            sequence.estimated = false;
-    }
-    study.sequences.push_back(std::move(sequence));
+    return observer.stop && observer.stop();
+}
+
+/// Steps and stops like @p observer, and names no positions.
+SequenceObserver silent(SequenceObserver const& observer)
+{
+    return {observer.stop, observer.on_position, {}};
+}
+
+/// Adds the errors of what lies between positions at whole pitches.
+/// @param compute  the sequence of a plan
+template <class Compute>
+void add_errors_between(RunSequence& sequence, running::SpanPlan const& plan, running::RunTask const& task,
+                        SequenceObserver const& observer, Compute compute)
+{
+    RunSequence const between = compute(running::places_between(plan));
+    running::add_places_between(sequence, between, plan.period * task.motion.pitch());
+    if (between.positions.size() < between.planned && is_stopped(observer))
+        observer.on_missing("stopped before the errors between the positions were known");
 }
 
 /// First contacts in the shape that the scene prescribes. The flanks are as exact as the solver's tolerance.
-void run_prescribed(contact::ContactStudyData& data, running::RunTask const& task, SequenceObserver const& observer,
-                    surface::SurfaceSpec const& spec, RunStudy& study)
+void run_prescribed(contact::ContactStudyData& data, running::RunTask const& task, RunOptions const& options,
+                    SequenceObserver const& observer, surface::SurfaceSpec const& spec, RunStudy& study)
 {
     contact::ContactContext const& context = *data.context;
     contact::FlankSurface const surface = contact::used_surface(context, spec);
@@ -112,7 +118,16 @@ void run_prescribed(contact::ContactStudyData& data, running::RunTask const& tas
     for (auto const& [plan, under_torque] : running::planned_sequences(context.scene, task)) {
         RunSequence sequence = running::first_contacts(plan, task.motion, turn_at, observer);
         running::add_shape_error(sequence, angle);
-        add(std::move(sequence), context.scene, study);
+        if (plan.span != RunSpan::tooth_pitch) {
+            bool const known = options.errors && !is_stopped(observer);
+            if (known)
+                add_errors_between(sequence, plan, task, observer, [&](running::SpanPlan const& between) {
+                    return running::first_contacts(between, task.motion, turn_at, silent(observer));
+                });
+            sequence.estimated = sequence.estimated && known;
+        }
+        if (!sequence.positions.empty())
+            study.sequences.push_back(std::move(sequence));
     }
     least.judge(context.scene, study);
 }
@@ -131,35 +146,40 @@ struct GridPair
 /// A sequence with its errors. That until both rings meet is too long for a second grid: it has those of the turn of
 /// the wave generator that was computed before it.
 void run_elastic_sequence(running::PlannedSequence const& planned, GridPair const& drives, running::RunTask const& task,
-                          SequenceObserver const& observer, Scene const& scene, LeastPlay& least, RunStudy& study)
+                          SequenceObserver const& observer, LeastPlay& least, RunStudy& study)
 {
-    running::SpanPlan const& plan = planned.plan;
-    SequenceObserver const silent{observer.stop, observer.on_position, {}};
-    LeastPlay unused;
-    auto const sequence_of = [&](running::TurningDrive const& drive, SequenceObserver const& told, LeastPlay& found) {
+    auto const sequence_of = [&](running::SpanPlan const& plan, running::TurningDrive const& drive,
+                                 SequenceObserver const& told, LeastPlay& found) {
         return planned.under_torque
                    ? running::balanced(plan, drive, task.motion, task.torque, told)
                    : running::first_contacts(
                          plan, task.motion,
                          [&](double pitches) { return found.enter(drive.first_contact(pitches), pitches); }, told);
     };
-    RunSequence sequence = sequence_of(drives.fine, observer, least);
-    auto const stopped = [&] { return observer.stop && observer.stop(); };
-    bool const has_grid_error = drives.coarse != nullptr && plan.span != RunSpan::output_turn;
-    if (has_grid_error && stopped()) {
+    running::SpanPlan const& plan = planned.plan;
+    RunSequence sequence = sequence_of(plan, drives.fine, observer, least);
+    LeastPlay unused;
+    bool const asked = drives.coarse != nullptr;
+    if (asked && is_stopped(observer)) {
         if (sequence.positions.size() == sequence.planned)
             observer.on_missing("stopped before the errors were known");
-    } else if (has_grid_error) {
-        RunSequence const coarse = sequence_of(*drives.coarse, silent, unused);
-        running::add_grid_error(sequence, coarse, drives.safety_of_sequences());
-        if (coarse.positions.size() < sequence.positions.size() && stopped())
-            observer.on_missing("stopped before the errors of all positions were known");
-    }
-    if (plan.span == RunSpan::output_turn)
+    } else if (asked) {
+        if (plan.span != RunSpan::output_turn) {
+            RunSequence const coarse = sequence_of(plan, *drives.coarse, silent(observer), unused);
+            running::add_grid_error(sequence, coarse, drives.safety_of_sequences());
+            if (coarse.positions.size() < sequence.positions.size() && is_stopped(observer))
+                observer.on_missing("stopped before the errors of all positions were known");
+        }
         for (RunSequence const& each : study.sequences)
-            if (each.span == RunSpan::input_turn && each.torque == 0)
+            if (plan.span == RunSpan::output_turn && each.span == RunSpan::input_turn && each.torque == 0)
                 running::add_error_of(sequence, each);
-    add(std::move(sequence), scene, study);
+        if (plan.span != RunSpan::tooth_pitch)
+            add_errors_between(sequence, plan, task, observer, [&](running::SpanPlan const& between) {
+                return sequence_of(between, drives.fine, silent(observer), least);
+            });
+    }
+    if (!sequence.positions.empty())
+        study.sequences.push_back(std::move(sequence));
 }
 
 /// Everything of an elastic drive.
@@ -193,7 +213,7 @@ void run_elastic(contact::ContactStudyData& data, running::RunTask const& task, 
     LeastPlay least;
     data.clock.run(Stage::run, [&] {
         for (running::PlannedSequence const& each : running::planned_sequences(context.scene, task))
-            run_elastic_sequence(each, drives, task, observer, context.scene, least, study);
+            run_elastic_sequence(each, drives, task, observer, least, study);
         if (!context.scene.friction)
             return;
         running::LossModel const losses{
@@ -210,13 +230,14 @@ void run_elastic(contact::ContactStudyData& data, running::RunTask const& task, 
     least.judge(context.scene, study);
 }
 
-/// Positions of all sequences, on both grids.
+/// Positions of all sequences, on both grids and between whole pitches.
 std::size_t positions_of(Scene const& scene, running::RunTask const& task, bool errors)
 {
-    std::size_t const grids = task.torque > 0 && errors ? 2 : 1;
-    std::size_t all = scene.friction ? (grids > 1 ? 3 : 1) * running::loss_positions : 0;
+    bool const coarse = task.torque > 0 && errors;
+    std::size_t all = scene.friction ? (coarse ? 3 : 1) * running::loss_positions : 0;
     for (running::PlannedSequence const& each : running::planned_sequences(scene, task))
-        all += each.plan.pitches.size() * (each.plan.span == RunSpan::output_turn ? 1 : grids);
+        all += each.plan.pitches.size() * (1U + (coarse && each.plan.span != RunSpan::output_turn ? 1U : 0U) +
+                                           (errors && each.plan.span != RunSpan::tooth_pitch ? 1U : 0U));
     return all;
 }
 
@@ -248,7 +269,7 @@ RunStudy study_run(Scene const& scene, RunOptions const& options, StageObserver 
     if (elastic)
         run_elastic(*data, task, options, observer, spec, study);
     else
-        data->clock.run(Stage::run, [&] { run_prescribed(*data, task, observer, spec, study); });
+        data->clock.run(Stage::run, [&] { run_prescribed(*data, task, options, observer, spec, study); });
     if (study.sequences.empty() && options.stop && options.stop())
         throw NumericalError(ErrorCode::stopped, "run", "positions", "the run was stopped before the first");
     if (study.sequences.empty())

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <optional>
 
 namespace hdconj::running {
 namespace {
@@ -49,14 +48,6 @@ std::vector<PlannedSequence> planned_sequences(Scene const& scene, RunTask const
         add(RunSpan::output_turn, period, period / held * positions_per_turn, false);
     }
     return sequences;
-}
-
-bool has_moved_ring(Scene const& scene)
-{
-    auto const moved = [](std::optional<RingErrors> const& ring) {
-        return ring && (ring->eccentricity != 0 || ring->wobble != 0);
-    };
-    return scene.errors && (moved(scene.errors->flexspline) || moved(scene.errors->circular_spline));
 }
 
 }  // namespace hdconj::running

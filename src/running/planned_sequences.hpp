@@ -21,7 +21,4 @@ struct PlannedSequence
 /// seconds, a first contact milliseconds: of the latter a turn has more.
 [[nodiscard]] std::vector<PlannedSequence> planned_sequences(Scene const& scene, RunTask const& task);
 
-/// Whether a ring of teeth is out of round or wobbles: that changes between whole pitches too.
-[[nodiscard]] bool has_moved_ring(Scene const& scene);
-
 }  // namespace hdconj::running

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace hdconj::running {
 
@@ -20,6 +21,17 @@ SpanPlan whole_pitch_plan(RunSpan span, int period, int positions)
     int const count = std::min(period, positions);
     for (int i = 0; i < count; ++i)
         plan.pitches.push_back(std::round(static_cast<double>(i) * period / count));
+    return plan;
+}
+
+SpanPlan places_between(SpanPlan plan)
+{
+    double share = 0;
+    for (double& each : plan.pitches) {
+        share += std::numbers::phi - 1;
+        share -= std::floor(share);
+        each += share;
+    }
     return plan;
 }
 

@@ -23,4 +23,8 @@ struct SpanPlan
 /// Positions over @p period pitches, each a whole number, as even as these can be.
 [[nodiscard]] SpanPlan whole_pitch_plan(RunSpan span, int period, int positions);
 
+/// One place after each position of @p plan, less than a pitch further, by a share that is another one each time (what
+/// multiples of the golden ratio are above whole numbers).
+[[nodiscard]] SpanPlan places_between(SpanPlan plan);
+
 }  // namespace hdconj::running

@@ -8,11 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "hdconj/error.hpp"
 #include "hdconj/read_scene.hpp"
 #include "hdconj/running.hpp"
 #include "hdconj/units.hpp"
 #include "running/friction_loss.hpp"
 #include "running/losses.hpp"
+#include "running/sequence_errors.hpp"
 #include "running/sequence_figures.hpp"
 #include "running/sequences.hpp"
 #include "running/spectrum.hpp"
@@ -82,6 +84,11 @@ TEST_CASE("positions at whole pitches are whole and fill the period", "[running]
         CHECK(std::abs(plan.pitches[i] - 202.0 * static_cast<double>(i) / 32) <= 0.5);
     }
     CHECK(running::whole_pitch_plan(RunSpan::input_turn, 12, 32).pitches.size() == 12);
+    auto const between = running::places_between(plan);
+    for (std::size_t i = 0; i < plan.pitches.size(); ++i) {
+        CHECK(between.pitches[i] > plan.pitches[i]);
+        CHECK(between.pitches[i] < plan.pitches[i] + 1);
+    }
 }
 
 namespace {
@@ -332,6 +339,76 @@ TEST_CASE("the wave generator is driven back where the torque has overcome what 
     CHECK(running::back_driving_torque(loss_model(friction), {run_at(0), run_at(500)}) == 0);
     friction.flanks = 1;
     CHECK_FALSE(running::back_driving_torque(loss_model(friction), {run_at(0), run_at(500), run_at(1000)}));
+}
+
+namespace {
+
+/// A turn over the 82 pitches of a held ring, at whole pitches, with the errors of what lies between.
+template <class Function>
+RunSequence turn_of_82(Function error)
+{
+    Drive drive;
+    drive.flexspline_teeth = 80;
+    drive.circular_spline_teeth = 82;
+    running::RunningMotion const motion(drive, RunningMember::flexspline);
+    auto const turn_at = [&](double pitches) { return -error(pitches) / motion.turn_rate(); };
+    running::SpanPlan const plan = running::whole_pitch_plan(RunSpan::input_turn, 82, 256);
+    RunSequence turn = running::first_contacts(plan, motion, turn_at, {});
+    running::add_shape_error(turn, 1e-12);
+    running::add_places_between(turn, running::first_contacts(running::places_between(plan), motion, turn_at, {}),
+                                plan.period * motion.pitch());
+    return turn;
+}
+
+}  // namespace
+
+TEST_CASE("the errors of a turn hold what lies between whole pitches", "[running]")
+{
+    // Of each pitch the tooth that stands out most leads, as one of the first contacts of a ring with pitch errors.
+    constexpr int teeth = 82, fine = 32;
+    auto const stands_out = [](double tooth) { return std::sin(2.4 * tooth * tooth); };
+    auto const error = [&](double pitches) {
+        double most = -10;
+        double const nearest = std::round(pitches);
+        for (double tooth = nearest - 3; tooth <= nearest + 3; ++tooth) {
+            double const off = pitches - tooth;
+            most = std::max(most, 1e-5 * (stands_out(std::fmod(tooth + teeth, teeth)) - 0.4 * off * off));
+        }
+        return most;
+    };
+    RunSequence const turn = turn_of_82(error);
+    REQUIRE(turn.positions.size() == teeth);
+    std::vector<double> x, values;
+    for (int i = 0; i < teeth * fine; ++i) {
+        x.push_back(2 * pi * i / (teeth * fine));
+        values.push_back(error(static_cast<double>(i) / fine));
+    }
+    auto const [low, high] = std::ranges::minmax_element(values);
+    double const mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+    double squares = 0;
+    for (double const value : values)
+        squares += (value - mean) * (value - mean) / static_cast<double>(values.size());
+    CHECK(turn.estimated);
+    CHECK(*high - *low > turn.peak_to_peak);
+    CHECK(*high - *low < turn.peak_to_peak + turn.peak_to_peak_error);
+    CHECK(turn.peak_to_peak_error < 0.5 * turn.peak_to_peak);
+    CHECK(std::abs(std::sqrt(squares) - turn.rms) < turn.rms_error);
+    std::vector<running::Harmonic> const orders = running::harmonics(x, values, 40);
+    for (std::size_t k = 0; k < orders.size(); ++k) {
+        CAPTURE(k);
+        CHECK(std::abs(orders[k].amplitude - turn.orders[k].amplitude) < turn.orders[k].amplitude_error);
+    }
+}
+
+TEST_CASE("a turn of which too little is known between whole pitches has no errors", "[running]")
+{
+    RunSequence const turn = turn_of_82([](double pitches) {
+        if (pitches != std::round(pitches))
+            throw NumericalError(ErrorCode::not_converged, "run", "test", "no balance");
+        return std::cos(2 * pi * pitches / 41);
+    });
+    CHECK(turn.positions.size() == 82);
+    CHECK_FALSE(turn.estimated);
 }
 
 TEST_CASE("an eccentricity has its extremes between whole pitches, within the error of a turn", "[running]")
