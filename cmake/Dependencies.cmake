@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every library that hdconj uses. Debian's names are in debian-packages.txt.
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE ON)  # our own build types are no news to CGAL
+if(POLICY CMP0167)  # Boost's own configuration, for CGAL too: newer CMakes have no module for it
+  cmake_policy(SET CMP0167 NEW)
+  set(CMAKE_POLICY_DEFAULT_CMP0167 NEW)
+endif()
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(OpenMP REQUIRED COMPONENTS CXX)
