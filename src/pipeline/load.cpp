@@ -161,6 +161,8 @@ LoadStudy study_load(Scene const& scene, LoadOptions const& options, StageObserv
             load::estimate_errors(context, drives, study.cup);
         add_cases(*data, drives, options, observer, study);
     });
+    if (std::optional<std::string> note = load::note_on_bent_cup(scene, context.scene))
+        study.solution.notes.push_back(std::move(*note));
     describe_drive(*data, drives.fine.model.drive, study);
     study.solution.scene = scene;
     study.rated_torque = load::rated_torque(context.scene, options);

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -275,6 +277,8 @@ RunStudy study_run(Scene const& scene, RunOptions const& options, StageObserver 
     if (study.sequences.empty())
         throw NumericalError(ErrorCode::not_converged, "run", "positions of the wave generator", study.missing.front(),
                              "write a smaller torque, or another circular_spline.backlash_offset");
+    if (std::optional<std::string> note = load::note_on_bent_cup(scene, checked); elastic && note)
+        study.solution.notes.push_back(std::move(*note));
     if (!elastic && checked.errors && checked.errors->wave_generator)
         study.solution.notes.emplace_back(
             "errors.wave_generator has no effect without a torque: set load.torque, or --torque above 0");

@@ -109,6 +109,35 @@ TEST_CASE("studies: of a coned drive the ring is that of solve, whatever part th
     }
 }
 
+TEST_CASE("studies: load and run say that a bent cup has another ring, and the keys with which solve makes it",
+          "[law][load]")
+{
+    Keys const quick{"contact.flank_points=40",
+                     "slices.count=3",
+                     "slices.surface=tilted",
+                     "bearing.circles=5",
+                     "load.torque=28",
+                     "circular_spline.inner_radius=25.1",
+                     "circular_spline.backlash_offset=0.06"};
+    Scene const scene = builtin_scene(quick);
+    Solution const told = load_of(scene, false).solution;
+    REQUIRE(told.notes.size() == 1);
+    CHECK_THAT(told.notes.front(),
+               ContainsSubstring("write coning.model = \"elastic\" and coning.bottom_to_middle = 9 into"));
+    Scene const bent = builtin_scene(with(quick, {"coning.model=elastic", "coning.bottom_to_middle=9"}));
+    check_same_ring(told, solve(bent));
+    CHECK(std::abs(told.geometry.space_depth - solve(scene).geometry.space_depth) > 1e-4);
+    CHECK(load_of(bent, false).solution.notes.empty());
+    RunOptions first_contact;
+    first_contact.torque = 0;
+    first_contact.positions = 4;
+    CHECK(study_run(scene, first_contact).solution.notes.empty());  // in the shape of the cam
+    RunOptions under_torque;
+    under_torque.positions = 4;
+    under_torque.errors = false;
+    CHECK(study_run(scene, under_torque).solution.notes == told.notes);
+}
+
 TEST_CASE("studies: load states the ring of solve, and how well the cup is known where errors are asked for",
           "[law][load]")
 {

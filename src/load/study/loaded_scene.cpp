@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/option_faults.hpp"
+#include "base/text.hpp"
 #include "drive/drive.hpp"
 #include "drive/elastic_cup.hpp"
 #include "hdconj/check.hpp"
@@ -199,6 +200,16 @@ Scene checked_scene(Scene const& asked, LoadOptions const& options)
     std::ranges::move(own, std::back_inserter(faults));
     throw_if_any(faults);
     return completed;
+}
+
+std::optional<std::string> note_on_bent_cup(Scene const& asked, Scene const& loaded)
+{
+    if (asked.coning || !loaded.coning)
+        return std::nullopt;
+    return fmt::format(
+        "the conjugate teeth here are those of the bent cup; solve, contact and wedm make others of a scene without "
+        "[coning]: for the same write coning.model = \"{}\" and coning.bottom_to_middle = {} into it",
+        to_string(loaded.coning->model), short_number(*loaded.coning->bottom_to_middle));
 }
 
 double rated_torque(Scene const& scene, LoadOptions const& options)

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "contact/study/contact_study_data.hpp"
 #include "hdconj/load.hpp"
@@ -16,6 +18,11 @@ namespace hdconj::load {
 /// loaded_scene() of a scene without faults. Everything that follows takes this scene.
 /// @throws InputError with all faults of scene and options
 [[nodiscard]] Scene checked_scene(Scene const& asked, LoadOptions const& options);
+
+/// What to tell of a scene without [coning]: its conjugate teeth are here those of the bent cup, which other verbs do
+/// not make. Nothing where @p asked has that table.
+/// @param loaded  loaded_scene() of it
+[[nodiscard]] std::optional<std::string> note_on_bent_cup(Scene const& asked, Scene const& loaded);
 
 /// The contact data of a drive under load.
 struct LoadedDriveData

@@ -246,7 +246,7 @@ std::string summary_text(LoadStudy const& study, std::vector<WrittenFile> const&
         page.line("");
         report::write_measured(page, figures::shown_case(study), *measured);
     }
-    report::write_notes(page, study.missing);
+    report::write_notes(page, study.solution.notes);
     if (auto const* shown = figures::shown_case(study))
         page.line("\ncup and circular spline in the result file: {}", figures::case_name(*shown));
     report::write_end(page, study.solution, written);
