@@ -117,8 +117,8 @@ constexpr auto bearing_figures(Unit const& ball)
                                     {"force and gap", exponential<1>}),
         estimated<&T::ball_force>("ball_force", ball, "largest force of a ball, or per length of a continuous row",
                                   general("balls")),
-        figure<&T::balls>("balls", one, "single balls that carry", {"carry", whole}),
-        estimated<&T::teeth>("teeth", one, "tooth spaces that carry", {"teeth", whole, whole}).without(hdf5_error),
+        estimated<&T::balls>("balls", one, "single balls that carry", {"carry", whole, whole}),
+        estimated<&T::teeth>("teeth", one, "tooth spaces that carry", {"teeth", whole, whole}),
         figure<&T::pressure_space>("pressure_space", one, "tooth space of the largest pressure"),
         figure<&T::iterations>("iterations", one, "of the loaded shape").formerly("rounds"),
         figure<&T::steps>("steps", one, "steps of the active set")};

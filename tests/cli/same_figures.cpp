@@ -305,8 +305,7 @@ TEST_CASE("load: text, JSON and HDF5 have the same figures and errors", "[load][
     auto const& rated = each.at("rated");
     auto const& error = each.at("rated_error");
     REQUIRE(error.is_object());
-    // errors of the play stand with the estimates; numbers of teeth and balls have no error in HDF5, which does not say
-    // either where the largest pressure is
+    // errors of the play stand with the estimates, as does whether the largest pressure is at an end
     CHECK(compare_columns(file, "/load", each, 0) ==
           std::set<std::string>{"backlash_error_arcmin", "backlash_offset_error_um", "pressure_at_edge"});
     CHECK(compare_columns(file, "/load/error",
@@ -315,13 +314,12 @@ TEST_CASE("load: text, JSON and HDF5 have the same figures and errors", "[load][
                           0)
               .empty());
     CHECK(compare_columns(file, "/load", rated, 0).empty());
-    CHECK(compare_columns(file, "/load/error", error, 0) == std::set<std::string>{"teeth"});
+    CHECK(compare_columns(file, "/load/error", error, 0).empty());
     auto const& curve = each.at("curve");
     for (std::size_t i = 0; i < curve.size(); ++i) {
         CHECK(compare_columns(file, "/load/case_000/curve", curve[i], i).empty());
         if (curve[i].at("error").is_object()) {
-            CHECK(compare_columns(file, "/load/case_000/curve/error", curve[i].at("error"), i) ==
-                  std::set<std::string>{"teeth"});
+            CHECK(compare_columns(file, "/load/case_000/curve/error", curve[i].at("error"), i).empty());
         }
     }
     auto const& catalogue = each.at("catalogue");

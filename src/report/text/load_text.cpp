@@ -156,7 +156,7 @@ void write_bearing(Page& page, LoadStudy const& study, LoadCase const& each, Loa
     if (state.ball_force > 0) {
         text += fmt::format("; balls up to {} {} at {}", with_error("ball_force"), rows["ball_force"].unit.text,
                             told.with_unit("ball_phi"));
-        text += study.balls > 0 ? fmt::format(", {} of {} carry", told("balls"), study.balls) : "";
+        text += study.balls > 0 ? fmt::format(", {} of {} carry", with_error("balls"), study.balls) : "";
     }
     page.line("{}", text);
 }

@@ -365,6 +365,7 @@ TEST_CASE("estimates and balls stand in text and JSON and HDF5 alike", "[load][e
     each.error.flank_pressure = 75;
     each.error.edge_force = 2;
     each.error.teeth = 6;
+    each.error.balls = 1;
     each.error.lobe_force = 11;
     each.curve[each.rated].lobe_force = 1640;
     each.curve[each.rated].ball_force = 313;
@@ -373,7 +374,7 @@ TEST_CASE("estimates and balls stand in text and JSON and HDF5 alike", "[load][e
     auto const text = summary_text(study);
     for (auto const* part :
          {"1.2440 deg   +- 0.013 deg; slope", "    +-                                 0.25", "       0.5      6",
-          "         3     1.5", "lobe at the major axis 1640 +- 11 N", "balls up to 313", "3 of 4 carry",
+          "         3     1.5", "lobe at the major axis 1640 +- 11 N", "balls up to 313", "3 +- 1 of 4 carry",
           "313.0 at 0.0, 12.5 at 28.6", "10 um   radius under load",
           "850 +- 75 MPa away from edges and ends, which carry 40 % of all force, up to 8.00 +- 2 N of a flank",
           "pressure not determined (about 850 MPa)", "sharp corners", "77.0 N"}) {
