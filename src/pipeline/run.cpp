@@ -126,6 +126,8 @@ void run_prescribed(contact::ContactStudyData& data, running::RunTask const& tas
                 add_errors_between(sequence, plan, task, observer, [&](running::SpanPlan const& between) {
                     return running::first_contacts(between, task.motion, turn_at, silent(observer));
                 });
+            else if (options.errors && sequence.positions.size() == sequence.planned)
+                observer.on_missing("stopped before the errors were known");
             sequence.estimated = sequence.estimated && known;
         }
         if (!sequence.positions.empty())

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hdconj/error.hpp"
@@ -411,22 +412,29 @@ TEST_CASE("a turn of which too little is known between whole pitches has no erro
     CHECK_FALSE(turn.estimated);
 }
 
+namespace {
+
+/// First contacts of an eccentric ring of 62 teeth, mounted that many pitches further.
+RunStudy eccentric(double pitches, RunOptions options)
+{
+    constexpr double pitch_deg = 360.0 / 62;
+    std::string const text =
+        "[drive]\nname = \"printed\"\nmodule = 1\nflexspline_teeth = 60\ncircular_spline_teeth = 62\n"
+        "[flexspline]\nwall = 0.8\n[flexspline.profile]\nfamily = \"straight\"\naddendum = 0.8\n"
+        "dedendum = 1.1\nthickness = 1.5\npressure_angle_deg = 28.6\n[circular_spline]\nwidth = 8\n"
+        "[wave_generator]\nfamily = \"cosine\"\nradial_deformation = 1.0\nwaves = 2\n"
+        "[solver]\ntolerance = 1e-5\n[errors.circular_spline]\neccentricity = 0.02\n"
+        "eccentricity_phase_deg = " +
+        std::to_string(-pitches * pitch_deg);
+    options.torque = 0;
+    return study_run(examine_scene(text, "printed", {}, {}).scene, options);
+}
+
+}  // namespace
+
 TEST_CASE("an eccentricity has its extremes between whole pitches, within the error of a turn", "[running]")
 {
-    auto const run = [](double pitches) {
-        constexpr double pitch_deg = 360.0 / 62;
-        std::string const text =
-            "[drive]\nname = \"printed\"\nmodule = 1\nflexspline_teeth = 60\ncircular_spline_teeth = 62\n"
-            "[flexspline]\nwall = 0.8\n[flexspline.profile]\nfamily = \"straight\"\naddendum = 0.8\n"
-            "dedendum = 1.1\nthickness = 1.5\npressure_angle_deg = 28.6\n[circular_spline]\nwidth = 8\n"
-            "[wave_generator]\nfamily = \"cosine\"\nradial_deformation = 1.0\nwaves = 2\n"
-            "[solver]\ntolerance = 1e-5\n[errors.circular_spline]\neccentricity = 0.02\n"
-            "eccentricity_phase_deg = " +
-            std::to_string(-pitches * pitch_deg);
-        RunOptions unloaded;
-        unloaded.torque = 0;
-        return study_run(examine_scene(text, "printed", {}, {}).scene, unloaded).sequences;
-    };
+    auto const run = [](double pitches) { return eccentric(pitches, {}).sequences; };
     auto const less = [](RunPosition const& a, RunPosition const& b) { return a.error < b.error; };
     RunSequence const turn = run(0).back();
     REQUIRE(turn.span == RunSpan::input_turn);
@@ -443,6 +451,32 @@ TEST_CASE("an eccentricity has its extremes between whole pitches, within the er
     }
     CHECK(highest - lowest > 1.01 * turn.peak_to_peak);
     CHECK(highest - lowest <= turn.peak_to_peak + turn.peak_to_peak_error);
+}
+
+TEST_CASE("a turn without its places between has no errors, and a stopped one says so", "[running]")
+{
+    RunOptions options;
+    options.positions = 4;
+    options.errors = false;
+    RunSequence const plain = eccentric(0, options).sequences.back();
+    CHECK_FALSE(plain.estimated);
+    options.errors = true;
+    RunSequence const whole = eccentric(0, options).sequences.back();
+    CHECK(whole.estimated);
+    CHECK(plain.peak_to_peak == whole.peak_to_peak);
+    constexpr int positions = 4 + 62;
+    for (auto const& [asked, told] : {std::pair(positions, "before the errors were known"),
+                                      std::pair(positions + 20, "before the errors between the positions")}) {
+        CAPTURE(told);
+        int left = asked;
+        options.stop = [&left] { return --left < 0; };
+        RunStudy const stopped = eccentric(0, options);
+        REQUIRE(stopped.sequences.size() == 2);
+        CHECK(stopped.sequences.back().positions.size() == 62);
+        CHECK_FALSE(stopped.sequences.back().estimated);
+        REQUIRE(stopped.missing.size() == 1);
+        CHECK_THAT(stopped.missing.front(), ContainsSubstring(told));
+    }
 }
 
 TEST_CASE("figures of a sequence are those of the function that it samples", "[running]")
