@@ -105,11 +105,11 @@ void add_error_of(RunSequence& sequence, RunSequence const& like)
 
 void add_places_between(RunSequence& sequence, RunSequence const& between, double period)
 {
-    if (2 * between.positions.size() < between.planned) {
+    if (sequence.positions.empty() || 2 * between.positions.size() < between.planned) {
         sequence.estimated = false;
         return;
     }
-    // Shares of the true changes, with 16 places in each pitch, of drives with pitch errors or an eccentricity.
+    // Bounds of the changes by 16 places in each pitch: 18 drives with pitch errors or an eccentricity, see running.md.
     constexpr double of_range = 1.25, of_rms = 0.5, of_orders = 1.75;
     std::vector<double> error, torque;
     for (RunPosition const& each : between.positions) {

@@ -410,6 +410,13 @@ TEST_CASE("a turn of which too little is known between whole pitches has no erro
     });
     CHECK(turn.positions.size() == 82);
     CHECK_FALSE(turn.estimated);
+    RunSequence const nowhere = turn_of_82([](double pitches) {
+        if (pitches == std::round(pitches))
+            throw NumericalError(ErrorCode::not_converged, "run", "test", "no balance");
+        return 0.0;
+    });
+    CHECK(nowhere.positions.empty());
+    CHECK_FALSE(nowhere.estimated);
 }
 
 namespace {
