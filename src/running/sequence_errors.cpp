@@ -109,7 +109,7 @@ void add_places_between(RunSequence& sequence, RunSequence const& between, doubl
         sequence.estimated = false;
         return;
     }
-    // Bounds of the changes by 16 places in each pitch: 18 drives with pitch errors or an eccentricity, see running.md.
+    // Bounds of the changes by 16 places in each pitch of 22 drives, see running.md.
     constexpr double of_range = 1.25, of_rms = 0.5, of_orders = 1.75;
     std::vector<double> error, torque;
     for (RunPosition const& each : between.positions) {
