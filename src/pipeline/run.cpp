@@ -100,7 +100,7 @@ void add_errors_between(RunSequence& sequence, running::SpanPlan const& plan, ru
                         SequenceObserver const& observer, Compute compute)
 {
     RunSequence const between = compute(running::places_between(plan));
-    running::add_places_between(sequence, between, plan.period * task.motion.pitch());
+    running::add_places_between(sequence, between, plan, task.motion);
     if (between.positions.size() < between.planned && is_stopped(observer))
         observer.on_missing("stopped before the errors between the positions were known");
 }

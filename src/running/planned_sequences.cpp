@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace hdconj::running {
 namespace {
@@ -30,7 +31,9 @@ std::vector<PlannedSequence> planned_sequences(Scene const& scene, RunTask const
     int const held = task.motion.held_teeth(), turning = task.motion.turning_teeth();
     std::vector<PlannedSequence> sequences;
     auto const add = [&](RunSpan span, int period, int positions, bool under_torque) {
-        sequences.push_back({whole_pitch_plan(span, period, positions), under_torque});
+        SpanPlan plan = whole_pitch_plan(span, period, positions);
+        plan.closed = span == RunSpan::output_turn || !(rings.held && rings.turning);
+        sequences.push_back({std::move(plan), under_torque});
     };
     SpanPlan pitch = tooth_pitch_plan(task.positions);
     pitch.repeats = !rings.held && !rings.turning;

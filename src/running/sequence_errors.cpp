@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -32,7 +33,7 @@ std::vector<double> order_sizes(RunSequence const& sequence, std::vector<double>
 
 /// Error and torque of the wave generator on the straight line through both neighbours.
 /// @param positions  in order of angle
-/// @param period     angle after which they come again [rad]
+/// @param period     angle after which they come again [rad]; infinite: behind the last one all is as there
 RunPosition on_line(std::vector<RunPosition> const& positions, double angle, double period)
 {
     auto const next = std::ranges::upper_bound(positions, angle, {}, &RunPosition::angle);
@@ -103,7 +104,8 @@ void add_error_of(RunSequence& sequence, RunSequence const& like)
     sequence.estimated = true;
 }
 
-void add_places_between(RunSequence& sequence, RunSequence const& between, double period)
+void add_places_between(RunSequence& sequence, RunSequence const& between, SpanPlan const& plan,
+                        RunningMotion const& motion)
 {
     if (sequence.positions.empty() || 2 * between.positions.size() < between.planned) {
         sequence.estimated = false;
@@ -111,6 +113,7 @@ void add_places_between(RunSequence& sequence, RunSequence const& between, doubl
     }
     // Bounds of the changes by 16 places in each pitch of 22 drives, see running.md.
     constexpr double of_range = 1.25, of_rms = 0.5, of_orders = 1.75;
+    double const period = plan.closed ? plan.period * motion.pitch() : std::numeric_limits<double>::infinity();
     std::vector<double> error, torque;
     for (RunPosition const& each : between.positions) {
         RunPosition const line = on_line(sequence.positions, each.angle, period);

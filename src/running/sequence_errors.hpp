@@ -2,7 +2,8 @@
 // What the figures of a sequence owe to grids, to places between its positions, and to the shape.
 #pragma once
 
-#include "hdconj/running.hpp"
+#include "running_motion.hpp"
+#include "span_plan.hpp"
 
 namespace hdconj::running {
 
@@ -22,8 +23,9 @@ void add_error_of(RunSequence& sequence, RunSequence const& like);
 /// positions, 1 - (sin(x)/x)^2 with x = pi k/N. Where less than half of the places have a result, the errors of
 /// @p sequence are not known.
 /// @param between  places_between() the positions
-/// @param period   angle after which the positions come again [rad]
-void add_places_between(RunSequence& sequence, RunSequence const& between, double period);
+/// @param plan     of the positions
+void add_places_between(RunSequence& sequence, RunSequence const& between, SpanPlan const& plan,
+                        RunningMotion const& motion);
 
 /// Adds what an error of the shape of up to @p angle at each position comes to [rad].
 void add_shape_error(RunSequence& sequence, double angle);

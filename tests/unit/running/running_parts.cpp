@@ -356,8 +356,8 @@ RunSequence turn_of_82(Function error)
     running::SpanPlan const plan = running::whole_pitch_plan(RunSpan::input_turn, 82, 256);
     RunSequence turn = running::first_contacts(plan, motion, turn_at, {});
     running::add_shape_error(turn, 1e-12);
-    running::add_places_between(turn, running::first_contacts(running::places_between(plan), motion, turn_at, {}),
-                                plan.period * motion.pitch());
+    running::add_places_between(turn, running::first_contacts(running::places_between(plan), motion, turn_at, {}), plan,
+                                motion);
     return turn;
 }
 
