@@ -87,8 +87,8 @@ void add_note_of_strays(Inspection& result)
     }
     for (auto const& [place, count] : gathered) {
         auto const& [z, right, part] = place;
-        auto const side = std::ranges::find_if(result.sides, [&](SideFigures const& each) {
-            return each.z == std::get<0>(place) && each.right == std::get<1>(place);
+        auto const side = std::ranges::find_if(result.sides, [&there = place](SideFigures const& each) {
+            return each.z == std::get<0>(there) && each.right == std::get<1>(there);
         });
         if (side == result.sides.end() || count < std::max(some, many * static_cast<double>(side->flanks)))
             continue;

@@ -133,10 +133,11 @@ LoadStudy study_load(Scene const& scene, LoadOptions const& options, StageObserv
 {
     throw_if_any(scene::value_faults(scene));
     LoadObserver const observer{progress, talk};
-    auto const [data, standard_tip_increase] =
+    load::LoadedDriveData const loaded =
         load::contact_data(load::checked_scene(scene, options), options.errors, on_stage);
-    contact::ContactContext const& context = *data->context;
-    drive::StageClock& clock = data->clock;
+    contact::ContactStudyData& data = *loaded.data;
+    contact::ContactContext const& context = *data.context;
+    drive::StageClock& clock = data.clock;
     load::LoadGrid const grid = load::load_grid(context);
     load::LoadModel model = clock.value_of(Stage::influence, [&] { return load::load_model(context, grid); });
     LoadStudy study;
@@ -147,7 +148,7 @@ LoadStudy study_load(Scene const& scene, LoadOptions const& options, StageObserv
         return assembled;
     });
     tell_assembly(observer, study.cup);
-    if (data->plan.has(Stage::compliance)) {
+    if (data.plan.has(Stage::compliance)) {
         PairGeometry const& g = context.geometry;
         double const side_clearance = context.scene.is_reverse() ? 0 : context.scene.circular_spline.backlash_offset;
         double const root = g.circular_spline_inner_radius + g.space_depth + side_clearance;
@@ -159,14 +160,14 @@ LoadStudy study_load(Scene const& scene, LoadOptions const& options, StageObserv
             drives.coarser = load::coarser_drives(context, coarser_grids);
         if (!drives.coarser.empty())
             load::estimate_errors(context, drives, study.cup);
-        add_cases(*data, drives, options, observer, study);
+        add_cases(data, drives, options, observer, study);
     });
     if (std::optional<std::string> note = load::note_on_bent_cup(scene, context.scene))
         study.solution.notes.push_back(std::move(*note));
-    describe_drive(*data, drives.fine.model.drive, study);
+    describe_drive(data, drives.fine.model.drive, study);
     study.solution.scene = scene;
     study.rated_torque = load::rated_torque(context.scene, options);
-    study.standard_tip_increase = standard_tip_increase;
+    study.standard_tip_increase = loaded.standard_tip_increase;
     return study;
 }
 
