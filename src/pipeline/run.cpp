@@ -87,7 +87,7 @@ bool is_stopped(SequenceObserver const& observer)
     return observer.stop && observer.stop();
 }
 
-/// Steps and stops like @p observer, and names no positions.
+/// The same observer, which is not told of positions without a result.
 SequenceObserver silent(SequenceObserver const& observer)
 {
     return {observer.stop, observer.on_position, {}};

@@ -33,7 +33,7 @@ std::vector<double> order_sizes(RunSequence const& sequence, std::vector<double>
 
 /// Error and torque of the wave generator on the straight line through both neighbours.
 /// @param positions  in order of angle
-/// @param period     angle after which they come again [rad]; infinite: behind the last one all is as there
+/// @param period     angle after which they come again [rad]; infinite: they do not, and the last values go on
 RunPosition on_line(std::vector<RunPosition> const& positions, double angle, double period)
 {
     auto const next = std::ranges::upper_bound(positions, angle, {}, &RunPosition::angle);
@@ -111,7 +111,7 @@ void add_places_between(RunSequence& sequence, RunSequence const& between, SpanP
         sequence.estimated = false;
         return;
     }
-    // Bounds of the changes by 16 places in each pitch of 22 drives, see running.md.
+    // With these, 16 places in each pitch of 22 drives changed no figure by more than its error (running.md).
     constexpr double of_range = 1.25, of_rms = 0.5, of_orders = 1.75;
     double const period = plan.closed ? plan.period * motion.pitch() : std::numeric_limits<double>::infinity();
     std::vector<double> error, torque;

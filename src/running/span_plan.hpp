@@ -15,7 +15,7 @@ struct SpanPlan
     std::vector<double> pitches;  ///< that the wave generator has turned at each position, increasing
     double period = 1;            ///< after which all comes again [pitches]
     bool repeats = true;          ///< false: all but what errors of the rings do
-    bool closed = true;           ///< false: behind the period other teeth of the ring that turns stand there
+    bool closed = true;           ///< false: after the period other teeth of the turning ring are in mesh
 };
 
 /// Positions over one tooth pitch, even.

@@ -123,7 +123,7 @@ TEST_CASE("studies: load and run say that a bent cup has another ring, and the k
     Solution const told = load_of(scene, false).solution;
     REQUIRE(told.notes.size() == 1);
     CHECK_THAT(told.notes.front(),
-               ContainsSubstring("write coning.model = \"elastic\" and coning.bottom_to_middle = 9 into"));
+               ContainsSubstring("write coning.model = \"elastic\" and coning.bottom_to_middle = 9 into the scene"));
     Scene const bent = builtin_scene(with(quick, {"coning.model=elastic", "coning.bottom_to_middle=9"}));
     check_same_ring(told, solve(bent));
     CHECK(std::abs(told.geometry.space_depth - solve(scene).geometry.space_depth) > 1e-4);

@@ -207,8 +207,9 @@ std::optional<std::string> note_on_bent_cup(Scene const& asked, Scene const& loa
     if (asked.coning || !loaded.coning)
         return std::nullopt;
     return fmt::format(
-        "the conjugate teeth here are those of the bent cup; solve, contact and wedm make others of a scene without "
-        "[coning]: for the same write coning.model = \"{}\" and coning.bottom_to_middle = {} into it",
+        "the conjugate teeth here are made for the bent cup; the scene has no [coning], so that solve, contact and "
+        "wedm make other teeth of it: for the same teeth in all verbs write coning.model = \"{}\" and "
+        "coning.bottom_to_middle = {} into the scene",
         to_string(loaded.coning->model), short_number(*loaded.coning->bottom_to_middle));
 }
 

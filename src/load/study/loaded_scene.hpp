@@ -19,8 +19,8 @@ namespace hdconj::load {
 /// @throws InputError with all faults of scene and options
 [[nodiscard]] Scene checked_scene(Scene const& asked, LoadOptions const& options);
 
-/// What to tell of a scene without [coning]: its conjugate teeth are here those of the bent cup, which other verbs do
-/// not make. Nothing where @p asked has that table.
+/// The note that load and run make the conjugate teeth for the bent cup, although @p asked has no table [coning], so
+/// that other verbs make other teeth of it. Nothing where @p asked has that table.
 /// @param loaded  loaded_scene() of it
 [[nodiscard]] std::optional<std::string> note_on_bent_cup(Scene const& asked, Scene const& loaded);
 
