@@ -440,11 +440,15 @@ def reliefs(program):
                 state["teeth"],
                 "%.1f" % state["largest_force_N"],
                 "%.2g" % error["largest_force_N"],
-                "%.0f" % state["largest_pressure_MPa"],
-                "%.2g" % error["largest_pressure_MPa"],
+                *pressure_cells(state["largest_pressure_MPa"], error["largest_pressure_MPa"]),
                 "%.2f" % state["pressure_z_mm"],
                 "yes" if case["pressure_at_edge"] else "no",
             )
+
+
+def pressure_cells(value, error):
+    """Those of a largest pressure and its error, which it has away from edges and ends alone."""
+    return ("not determined", "") if error is None else ("%.0f" % value, "%.2g" % error)
 
 
 def flow(program):
@@ -574,7 +578,7 @@ def torques(program):
                 continue
             for state, fine in same_torques(here["cases"][0]["curve"], there["cases"][0]["curve"]):
                 for name, error in state["error"].items():
-                    if name not in {*NOT_COMPARED} - {"teeth"} and (error or state[name] != fine[name]):
+                    if name not in {*NOT_COMPARED} - {"teeth"} and error is not None and (error or state[name] != fine[name]):
                         found.setdefault(name, []).append(abs(state[name] - fine[name]) / max(1e-300, error))
             print(arguments, file=sys.stderr, flush=True)
     write_ratios("states", found)
@@ -640,7 +644,7 @@ def compared(here, there):
     """Name, stated error, value and the finer grid's value of each figure of a drive."""
     a, b = here["cases"][0], there["cases"][0]
     for name in a["rated_error"] or {}:
-        if name not in NOT_COMPARED:
+        if name not in NOT_COMPARED and a["rated_error"][name] is not None:
             yield name, a["rated_error"][name], a["rated"][name], b["rated"][name]
     yield "backlash_arcmin", a["backlash_error_arcmin"], a["backlash_arcmin"], b["backlash_arcmin"]
     if a.get("catalogue") and b.get("catalogue"):

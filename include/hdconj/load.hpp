@@ -34,7 +34,7 @@ struct LoadedState
     double contact_fraction = 0;     ///< the same as a fraction of the area of all flanks on the loaded side
     double fraction_within_gap = 0;  ///< fraction of that area with gap <= contact_gap in the loaded shape
     double carrying_fraction = 0;    ///< fraction of the (space, slice) nodes of that side that carry force
-    double largest_pressure = 0;     ///< Hertz, of edges with their radius [MPa]
+    double largest_pressure = 0;     ///< Hertz, of edges with their radius [MPa]; as an error NaN: on an edge or an end
     int pressure_space = 0;          ///< its tooth space, an index into LoadMap::angle
     double pressure_z = 0;           ///< its slice [mm]
     double largest_force = 0;        ///< on one tooth [N]

@@ -250,10 +250,10 @@ template <auto value, auto error>
     return figure<value>(name, unit, meaning, text).template with_error<error>();
 }
 
-/// Whether an error says that its figure is not known: it exceeds a third of it.
+/// Whether the error of a figure says that it is not known: it exceeds a third of it, or is NaN.
 [[nodiscard]] inline bool is_unconverged(double value, double error)
 {
-    return 3 * error > std::abs(value);
+    return !std::isnan(value) && !(3 * error <= std::abs(value));
 }
 
 /// The same of a row. @param errors  record that holds its error: @p record, unless errors stand apart

@@ -119,6 +119,37 @@ TEST_CASE("what the ends of the face width carry does not depend on where slices
     CHECK(fine.edge_fraction == Approx(finest.edge_fraction).epsilon(0.02));
 }
 
+TEST_CASE("the largest pressure has an error where it is on a flank, and none on an edge", "[load][pressure]")
+{
+    std::vector<std::string> relieved{"slices.surface=per-slice", "circular_spline.backlash_offset=0.065",
+                                      "end_relief.amount=0.002", "end_relief.length=2"};
+    LoadCase const flank = study(relieved, true).cases.front(), edge = study({}, true).cases.front();
+    LoadedState const &on_flank = flank.curve.front(), &on_edge = edge.curve.front();
+    REQUIRE(on_flank.largest_pressure == on_flank.flank_pressure);
+    CHECK(flank.error.largest_pressure == flank.error.flank_pressure);
+    REQUIRE(on_edge.largest_pressure > on_edge.flank_pressure);
+    CHECK(std::isnan(edge.error.largest_pressure));
+    CHECK(edge.error.edge_force > 0);
+}
+
+TEST_CASE("the wave generator's torque has an error that reaches its mean over a pitch", "[load][pressure]")
+{
+    // without friction its work over a pitch is that of the circular spline: (z_c - z_f)/z_c = 1/101 of the torque
+    for (char const* const surface : {"tilted", "per-slice"}) {
+        CAPTURE(surface);
+        LoadCase const found =
+            study({std::string("slices.surface=") + surface, "circular_spline.backlash_offset=0.065"}, true)
+                .cases.front();
+        LoadedState const& state = found.curve.front();
+        double const departure = std::abs(state.wave_generator_torque - state.torque / 101);
+        REQUIRE(departure > 0);
+        CHECK(departure < 0.1 * state.torque / 101);
+        CHECK(found.error.wave_generator_torque > departure);
+        CHECK(found.error.lobe_force_across * state.wave_generator_torque >
+              departure * std::abs(state.lobe_force_across));
+    }
+}
+
 TEST_CASE("steel that flows lets more teeth carry, at no more than the flow pressure on average", "[load][pressure]")
 {
     std::string const clearance = "circular_spline.backlash_offset=0.09";

@@ -128,7 +128,8 @@ void write_load_case(Writer const& place, LoadCase const& each, int balls)
             write_columns(group, "member", figures::twist_member_rows(), each.members, "", each.estimated);
         });
     if (auto const names = figures::unconverged_figures(each, balls); !names.empty())
-        place.texts("not_converged", names, "figures whose error exceeds a third of them", "figure");
+        place.texts("not_converged", names, "figures whose error exceeds a third of them or is not determined",
+                    "figure");
     if (!each.unsettled.empty()) {
         place.numbers("unsettled_torque", column(each.unsettled, &UnsettledTorque::torque),
                       {"N mm", "torques without equilibrium", {"unsettled"}});

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <numbers>
 
 #include "numeric/quantile.hpp"
@@ -14,6 +16,7 @@ namespace {
 /// random drives like type-50, makes the differences of all figures comparable. `least` and `factor` are those of 121
 /// drives of 20 to 100 mm, ratios 50 to 160 and lengths of a fifth to four fifths of the diameter, type-50 among them;
 /// `growth` is that of 70 others with ratios from 30 on, at 4 to 100 % of their torques (docs/explanation/load.md).
+/// Figures without a factor have errors of their own, of error_of().
 struct ErrorRule
 {
     double LoadedState::*figure;
@@ -34,7 +37,7 @@ constexpr ErrorRule error_rules[] = {
     {&S::contact_fraction, 0.51, 0.82, 1.1, 0.6},
     {&S::fraction_within_gap, 0.41, 0.56, 0.88, 0.4},
     {&S::carrying_fraction, 0, 0, 2, 0},
-    {&S::largest_pressure, 0.19, 0.83, 0.43, 0.3},
+    {&S::largest_pressure, 0.19, 0, 0, 0},
     {&S::largest_force, 0.11, 0.19, 0.27, 0.3},
     {&S::largest_line_load, 0.28, 0.7, 0.24, 0.5},
     {&S::flank_pressure, 0, 0.46, 1, 0},
@@ -42,9 +45,9 @@ constexpr ErrorRule error_rules[] = {
     {&S::edge_fraction, 0, 0.08, 0.52, 0.2},
     {&S::flowing_fraction, 0, 0, 1, 0},
     {&S::wave_generator_force, 0.0019, 0.0069, 0.44, 0},
-    {&S::wave_generator_torque, 0.004, 0.004, 1.8, 0},
+    {&S::wave_generator_torque, 0.004, 0, 0, 0},
     {&S::lobe_force, 0.0023, 0.0085, 0.41, 0},
-    {&S::lobe_force_across, 0.0085, 0.0031, 0.34, 0, &S::lobe_force},
+    {&S::lobe_force_across, 0.0085, 0, 0, 0, &S::lobe_force},
     {&S::ball_force, 0.0098, 0.075, 0.45, 0},
 };
 
@@ -54,6 +57,7 @@ struct Scales
     double half_width;    ///< of the bearing [mm]
     int sectors;          ///< how often the ring repeats itself
     double teeth;         ///< of the circular spline
+    double torque_ratio;  ///< of the wave generator's mean torque over a pitch to that on the circular spline
     double usual_torque;  ///< usual_torque() [N mm]
 };
 
@@ -63,6 +67,28 @@ double usual_torque(Scene const& scene)
     constexpr double type_50 = 1.087e-6;  // 28 N m over E d^3
     return type_50 * scene.flexspline.cup->youngs_modulus *
            std::pow(scene.drive.module * scene.drive.flexspline_teeth, 3);
+}
+
+/// Enters the errors of the wave generator's torque and of the force across its lobe. Without friction the torque is
+/// (z_c - z_f)/z_c of that on the circular spline in the mean over a pitch. How far a place is from that mean changes
+/// with the teeth that carry there, and grids may agree on it by chance: the largest departure from the mean on any
+/// grid is the measure of the error.
+/// @param difference  between grids, of a figure
+void enter_errors_at_place(LoadedState const& a, std::vector<LoadedState> const& coarser, double safety,
+                           Scales const& drive, std::function<double(double LoadedState::*)> const& difference,
+                           LoadedState& d)
+{
+    constexpr double of_torque = 0.9, of_across = 1.05, of_difference = 0.1;
+    double const mean = drive.torque_ratio * a.torque;
+    double departure = std::abs(a.wave_generator_torque - mean);
+    for (LoadedState const& each : coarser)
+        departure = std::max(departure, std::abs(each.wave_generator_torque - mean));
+    d.wave_generator_torque = of_torque * safety * departure;
+    double across = of_difference * difference(&LoadedState::lobe_force_across);
+    if (mean != 0 && a.twist != 0)
+        across += std::abs(a.lobe_force_across) *
+                  (departure / std::abs(mean) + of_difference * difference(&LoadedState::twist) / std::abs(a.twist));
+    d.lobe_force_across = of_across * safety * across;
 }
 
 /// Errors of @p a from its differences to @p coarser. In a single figure grids may agree by chance. The median over all
@@ -99,10 +125,10 @@ LoadedState error_of(LoadedState const& a, std::vector<LoadedState> const& coars
         d.edge_fraction = std::max(d.edge_fraction, std::min(1.0, d.twist / std::abs(a.twist)) * a.edge_fraction);
     if (a.flank_pressure == 0)
         d.flank_pressure = a.largest_pressure;
-    // What the teeth press to one side of the lobe depends on their place, which is no better known than the twist.
-    for (double LoadedState::*const figure : {&LoadedState::wave_generator_torque, &LoadedState::lobe_force_across})
-        if (a.twist != 0)
-            d.*figure = std::max(d.*figure, std::min(1.0, d.twist / std::abs(a.twist)) * std::abs(a.*figure));
+    // Pressure on an edge or an end grows with finer grids, without a bound that differences would tell.
+    bool const is_on_edge = a.largest_pressure > a.flank_pressure;
+    d.largest_pressure = is_on_edge ? std::numeric_limits<double>::quiet_NaN() : d.flank_pressure;
+    enter_errors_at_place(a, coarser, safety, drive, difference, d);
     // A tooth that stands on an end carries most of its force there, whose error is the surer one.
     constexpr double of_edge = 0.6;
     if (a.largest_force > 0)
@@ -130,7 +156,7 @@ void reach_mean_of_flow(double flow_pressure, LoadedState const& state, LoadedSt
     double const bound = 4 / std::numbers::pi * flow_pressure;
     for (double LoadedState::*const pressure : {&LoadedState::largest_pressure, &LoadedState::flank_pressure})
         if (state.*pressure >= (1 - rounding) * bound)
-            error.*pressure = std::max(error.*pressure, bound - flow_pressure);
+            error.*pressure = std::fmax(error.*pressure, bound - flow_pressure);  // also where it is not determined
 }
 
 /// Raises errors before the last torque. In a single state grids may agree by chance: over its figure the error of a
@@ -206,8 +232,11 @@ std::vector<std::optional<LoadedState>> branch_errors(LoadProblem const& problem
                                                       std::vector<CoarseBranch> const& coarser)
 {
     ElasticDrive const& drive = problem.drive;
+    auto const& gears = problem.context.scene.drive;
+    double const torque_ratio =
+        static_cast<double>(gears.circular_spline_teeth - gears.flexspline_teeth) / gears.circular_spline_teeth;
     Scales const scales{0.5 * (drive.bearing_z.back() - drive.bearing_z.front()), drive.response->sectors(),
-                        static_cast<double>(problem.context.scene.drive.circular_spline_teeth),
+                        static_cast<double>(gears.circular_spline_teeth), torque_ratio,
                         usual_torque(problem.context.scene)};
     std::vector<std::optional<LoadedState>> errors(branch.states.size());
     for (std::size_t i = 0; i < errors.size(); ++i) {
