@@ -6,6 +6,7 @@
 
 #include "base/text.hpp"
 #include "hdconj/units.hpp"
+#include "length_search.hpp"
 #include "nearest_wishes.hpp"
 #include "same_value.hpp"
 #include "wall_search.hpp"
@@ -85,7 +86,8 @@ Design design_drive(DesignWishes const& wishes, std::function<void(std::string c
     design::WallSearch search(wishes, talk);
     design::MeshedSheet made = search.best(true);
     if (!made.works())
-        throw InputError(design::nearest_wishes(wishes, made, search));
+        throw InputError(design::nearest_wishes(
+            wishes, made, {[&] { return search.most_torque(); }, [&] { return design::least_length(wishes, talk); }}));
     if (wishes.torque)
         design::add_root_clearance(made);
     Design result;

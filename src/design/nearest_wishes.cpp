@@ -109,17 +109,12 @@ std::string write_one_of(std::vector<std::string> const& ways)
 }
 
 /// No wall has a mesh that is clear of the coned cup; that of the best fails for @p reason.
-Fault too_much_cone(DesignWishes const& wishes, std::string const& reason)
+Fault too_much_cone(DesignWishes const& wishes, std::string const& reason, OtherWishes const& others)
 {
-    bool const may_be_longer = wishes.length_ratio < length_ratios.high;
-    std::vector<std::string> ways;
-    if (may_be_longer)
-        ways.emplace_back("a larger one, whose cup cones less");
-    if (wishes.land > 0)
-        ways.emplace_back("a smaller --land");
-    ways.emplace_back("another --family");
-    return {may_be_longer ? "--length-ratio" : "--family", 0,
-            may_be_longer ? short_number(wishes.length_ratio) : wishes.family, reason, write_one_of(ways)};
+    if (auto const length = others.least_length())
+        return fault_of("--length-ratio", short_number(wishes.length_ratio), reason, short_number(*length));
+    return {"--family", 0, wishes.family, reason,
+            wishes.land > 0 ? "write a smaller --land or another --family" : "write another --family"};
 }
 
 /// The largest safety of hundredths that the stress @p stress leaves.
@@ -146,10 +141,8 @@ void add_bent(DesignWishes const& wishes, double assembled, double most, std::st
         return;
     if (faults.empty())
         add_strength(wishes, rounded_up(wishes.safety * most), reason, faults);
-    bool const may_be_longer = wishes.length_ratio < length_ratios.high;
-    faults.push_back({may_be_longer ? "--length-ratio" : "--ratio", 0,
-                      short_number(may_be_longer ? wishes.length_ratio : wishes.ratio), reason,
-                      "write a larger one, which bends the cup less"});
+    faults.push_back(
+        {"--ratio", 0, short_number(wishes.ratio), reason, "write a larger one, which bends the cup less"});
 }
 
 /// What helps where no torque worth naming is stood.
@@ -165,18 +158,24 @@ std::string larger_drive(DesignWishes const& wishes)
     return ways.empty() ? "write a smaller one" : write_one_of(ways) + ", which bends the wall less";
 }
 
-Faults nearest_load(DesignWishes const& wishes, MeshedSheet const& failed, WallSearch& search)
+Faults nearest_load(DesignWishes const& wishes, MeshedSheet const& failed, OtherWishes const& others)
 {
+    constexpr double usual = 0.5;  // of the torque asked for: less is another drive
     WallTrial const& best = failed.walls.back();
     std::string const refusal = "with the best wall, " + short_number(best.wall) + " mm: " + best.refusal;
     if (best.interferes)
-        return {too_much_cone(wishes, refusal)};
+        return {too_much_cone(wishes, refusal, others)};
     bool const is_bent_too_far = best.assembled > allowed_stress(wishes);  // without torque
     std::string const reason = refusal + (is_bent_too_far ? ", even without torque" : "");
     Faults faults;
-    if (auto const torque = search.most_torque())
+    auto const torque = others.most_torque();
+    if (torque)
         faults.push_back(fault_of("--torque", short_number(*wishes.torque / newton_metre), reason,
                                   short_number(*torque / newton_metre)));
+    if (!torque || *torque < usual * *wishes.torque)
+        if (auto const length = others.least_length())
+            faults.push_back(
+                fault_of("--length-ratio", short_number(wishes.length_ratio), reason, short_number(*length)));
     double const most = std::max(best.assembled, best.loaded), safety = most > 0 ? safety_at(wishes, most) : 0;
     if (safety >= 1 && safety < wishes.safety)
         faults.push_back(fault_of("--safety", short_number(wishes.safety), reason, short_number(safety)));
@@ -198,9 +197,9 @@ Faults nearest_load(DesignWishes const& wishes, MeshedSheet const& failed, WallS
 
 }  // namespace
 
-Faults nearest_wishes(DesignWishes const& wishes, MeshedSheet const& failed, WallSearch& search)
+Faults nearest_wishes(DesignWishes const& wishes, MeshedSheet const& failed, OtherWishes const& others)
 {
-    return failed.mesh.best ? nearest_load(wishes, failed, search) : nearest_mesh(wishes, failed.mesh);
+    return failed.mesh.best ? nearest_load(wishes, failed, others) : nearest_mesh(wishes, failed.mesh);
 }
 
 }  // namespace hdconj::design

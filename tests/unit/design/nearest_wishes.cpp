@@ -3,10 +3,15 @@
 #include "design/nearest_wishes.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
 
+#include "design/length_search.hpp"
 #include "design/wishes.hpp"
 #include "hdconj/units.hpp"
 #include "support/catch.hpp"
+#include "support/run/full_run.hpp"
 
 namespace hdconj::test::nearest_wishes_cases {
 namespace {
@@ -33,13 +38,14 @@ DesignWishes wishes_with(double length_ratio, double land)
 }
 
 /// What is advised after all of @p walls, the best last, were refused.
-Faults advised(DesignWishes const& wishes, std::vector<WallTrial> walls)
+/// @param length, torque  that work
+Faults advised(DesignWishes const& wishes, std::vector<WallTrial> walls, std::optional<double> length = {},
+               std::optional<double> torque = {})
 {
     design::MeshedSheet failed;
     failed.mesh.best = 0;
     failed.walls = std::move(walls);
-    design::WallSearch search(wishes, {});
-    return nearest_wishes(wishes, failed, search);
+    return nearest_wishes(wishes, failed, {[&] { return torque; }, [&] { return length; }});
 }
 
 bool says(Fault const& fault, char const* words)
@@ -67,16 +73,18 @@ TEST_CASE("a wall that is clear is a better one than any that is not, then less 
 
 TEST_CASE("where the cone is in the way no remedy is named that cannot be followed", "[design]")
 {
-    for (double const length_ratio : {0.3, 1.})
-        for (double const land : {0., 0.4}) {
-            CAPTURE(length_ratio, land);
-            Faults const faults = advised(wishes_with(length_ratio, land), {wall_with(900, 900, true)});
-            REQUIRE(faults.size() == 1);
-            CHECK(faults.front().path == (length_ratio < 1 ? "--length-ratio" : "--family"));
-            CHECK(says(faults.front(), "larger") == (length_ratio < 1));
-            CHECK(says(faults.front(), "--land") == (land > 0));
-            CHECK_FALSE(says(faults.front(), "without torque"));
-        }
+    for (double const land : {0., 0.4}) {
+        CAPTURE(land);
+        Faults const faults = advised(wishes_with(0.3, land), {wall_with(900, 900, true)});
+        REQUIRE(faults.size() == 1);
+        CHECK(faults.front().path == "--family");
+        CHECK(says(faults.front(), "--land") == (land > 0));
+        CHECK_FALSE(says(faults.front(), "without torque"));
+        Faults const longer = advised(wishes_with(0.3, land), {wall_with(900, 900, true)}, 0.45);
+        REQUIRE(longer.size() == 1);
+        CHECK(longer.front().path == "--length-ratio");
+        CHECK(says(longer.front(), "the nearest that works is 0.45"));
+    }
 }
 
 TEST_CASE("a cup that is bent too far without torque is told the safety and the steel that it leaves", "[design]")
@@ -97,15 +105,26 @@ TEST_CASE("a cup that is bent too far without torque is told the safety and the 
     CHECK(names(too_weak, "--material"));  // 576 MPa are needed without torque
 
     // nothing but a strength that no steel of the table has, or a cup that is bent less
-    for (double const length_ratio : {0.3, 1.}) {
-        wishes.length_ratio = length_ratio;
-        Faults const faults = advised(wishes, {wall_with(1600, 1700)});
-        CHECK(names(faults, "--fatigue"));
-        CHECK(names(faults, "--length-ratio") == (length_ratio < 1));
-        CHECK(names(faults, "--ratio") == (length_ratio == 1));
-        CHECK(faults.size() == 2);
-        for (Fault const& each : faults)
+    Faults const faults = advised(wishes, {wall_with(1600, 1700)});
+    CHECK(names(faults, "--fatigue"));
+    CHECK(names(faults, "--ratio"));
+    CHECK(faults.size() == 2);
+    Faults const longer = advised(wishes, {wall_with(1600, 1700)}, 0.7);
+    CHECK(longer.size() == 1);
+    CHECK(names(longer, "--length-ratio"));
+    for (Faults const* all : {&faults, &longer})
+        for (Fault const& each : *all)
             CHECK(says(each, "even without torque"));
+}
+
+TEST_CASE("a longer cup is named where no torque is stood that is half of the one asked for", "[design]")
+{
+    DesignWishes const wishes = wishes_with(0.25, 0.4);  // 1 N m
+    for (auto const& [torque, named] : {std::pair(0.2, true), std::pair(0.7, false)}) {
+        CAPTURE(torque);
+        Faults const faults = advised(wishes, {wall_with(300, 600)}, 0.4, torque * newton_metre);
+        CHECK(names(faults, "--torque"));
+        CHECK(names(faults, "--length-ratio") == named);
     }
 }
 
@@ -119,6 +138,19 @@ TEST_CASE("a torque that no wall stands asks for a larger drive, where there is 
     wishes.module = 0.625;  // 400 mm with 640 teeth
     wishes.ratio = 320;
     CHECK(says(advised(wishes, {wall_with(300, 5000)}).front(), "write a smaller one"));
+}
+
+TEST_CASE("a cup of the least length stands what a twentieth less does not", "[design]")
+{
+    DesignWishes wishes = wishes_with(0.35, 0.4);
+    wishes.ratio = 80;
+    wishes.diameter = 40;
+    wishes.torque = 8 * newton_metre;
+    CHECK(design::least_length(wishes, {}) == 0.4);
+    if (full_run())  // every wall is tried in vain
+        CHECK_FALSE(design::WallSearch(wishes, {}).best(false).works());
+    wishes.length_ratio = 1;
+    CHECK_FALSE(design::least_length(wishes, {}));
 }
 
 }  // namespace hdconj::test::nearest_wishes_cases
