@@ -16,44 +16,63 @@ namespace {
 
 std::atomic<std::size_t> allocations{0};
 
-void* counted(std::size_t size)
+void* counted(std::size_t size) noexcept
 {
     allocations.fetch_add(1, std::memory_order_relaxed);
-    if (void* const memory = std::malloc(size == 0 ? 1 : size))
-        return memory;
-    throw std::bad_alloc();
+    return std::malloc(size == 0 ? 1 : size);
+}
+
+void* required(void* memory)
+{
+    return memory != nullptr ? memory : throw std::bad_alloc();
+}
+
+/// Not inline: the compiler would see memory of operator new freed by free().
+[[gnu::noinline]] void freed(void* memory) noexcept
+{
+    std::free(memory);
 }
 
 }  // namespace
 
 void* operator new(std::size_t size)
 {
-    return counted(size);
+    return required(counted(size));
 }
 
 void* operator new[](std::size_t size)
+{
+    return required(counted(size));
+}
+
+void* operator new(std::size_t size, std::nothrow_t const&) noexcept
+{
+    return counted(size);
+}
+
+void* operator new[](std::size_t size, std::nothrow_t const&) noexcept
 {
     return counted(size);
 }
 
 void operator delete(void* memory) noexcept
 {
-    std::free(memory);
+    freed(memory);
 }
 
 void operator delete[](void* memory) noexcept
 {
-    std::free(memory);
+    freed(memory);
 }
 
 void operator delete(void* memory, std::size_t) noexcept
 {
-    std::free(memory);
+    freed(memory);
 }
 
 void operator delete[](void* memory, std::size_t) noexcept
 {
-    std::free(memory);
+    freed(memory);
 }
 
 namespace {
