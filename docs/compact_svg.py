@@ -14,14 +14,14 @@ def compact(text):
     text = text.replace(' stroke-linecap="butt" stroke-linejoin="miter"', "")
     text = text.replace('<tspan font-family="DejaVu Sans" >', "<tspan>")
     text = re.sub(r"\s*\n\s*", " ", text)
-    text = re.sub(r"> (?=<)", ">", text)
+    text = re.sub(r">\s+(?=<)", ">", text)
     while (shorter := re.sub(r"<g [^<>]*></g>", "", text)) != text:
         text = shorter
     for _ in range(3):  # a marker may be drawn by another one
         for marker in re.findall(r"id='(gp[A-Za-z]+\d*|textbox)'", text):
             if f"#{marker}'" not in text and f"#{marker})" not in text:
                 text = re.sub(rf"<(\w+)(?=[^<>]* id='{marker}')(?:[^<>]*/>|[^<>]*>.*?</\1>)", "", text, count=1)
-    return re.sub(r"\s*(?=<g |</svg>)", "\n", text.strip()) + "\n"
+    return re.sub(r"(?=<g |</svg>)", "\n", text.strip()) + "\n"
 
 
 for name in sys.argv[1:]:
