@@ -25,6 +25,8 @@ set ytics 10
 set grid ytics linecolor rgb faint linewidth 0.8
 set xlabel 'torque on the output [N m]' noenhanced
 set ylabel 'efficiency [%]' noenhanced
-plot for [i = 1:curves] $curves index i-1 using 1:2:3 with yerrorbars linecolor rgb curve_colour(i) \
-        linewidth 1 pointtype 7 pointsize 0.4 notitle, \
-    for [i = 1:curves] $curves index i-1 using 1:2 with lines linecolor rgb curve_colour(i) linewidth 1.8 notitle
+# gnuplot's own error bars have a white spot in their middle
+plot for [i = 1:curves] $curves index i-1 using 1:($2-$3):(0):(2*$3) with vectors heads size graph 0.006,90 \
+        linecolor rgb curve_colour(i) linewidth 1 notitle, \
+    for [i = 1:curves] $curves index i-1 using 1:2 with linespoints linecolor rgb curve_colour(i) \
+        linewidth 1.8 pointtype 7 pointsize 0.4 notitle
