@@ -63,12 +63,13 @@ function caseFigures(load, index) {
   return make("div", { class: "figures" }, ...all, ...(cup ? [cup] : []));
 }
 
-/** The end of a scale of colours: the largest value, and the error that the program states of it.
+/** The end of a scale of colours: the largest value, and the error that the program states of it, or that it has none.
  * @param {import("./data.js").Group} load @param {number} index @param {string} name @param {number} largest
  * @param {string} unit */
 function scaleEnd(load, index, name, largest, unit) {
   const error = errorOf(load, name, index);
-  return !error ? `${shown(largest, NaN)} ${unit}` : `${shown(largest, error)} ± ${shownError(error)} ${unit}${
+  if (!error) return `${shown(largest, NaN)} ${unit}${Number.isNaN(error) ? `, ${say("notDetermined")}` : ""}`;
+  return `${shown(largest, error)} ± ${shownError(error)} ${unit}${
     isUnknown(largest, error) ? `, ${say("notDetermined")}` : ""}`;
 }
 

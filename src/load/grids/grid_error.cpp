@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -13,17 +12,17 @@ namespace hdconj::load {
 namespace {
 
 /// How the error of a figure follows from its difference between grids. `usual`, the mean of the differences of 48
-/// random drives like type-50, makes the differences of all figures comparable. `least` and `factor` are those of 121
-/// drives of 20 to 100 mm, ratios 50 to 160 and lengths of a fifth to four fifths of the diameter, type-50 among them;
-/// `growth` is that of 70 others with ratios from 30 on, at 4 to 100 % of their torques (docs/explanation/load.md).
-/// Figures without a factor have errors of their own, of error_of().
+/// random drives like type-50, makes the differences of all figures comparable. The others are those of 210 drives of
+/// 20 to 100 mm, ratios from 30 to 160 and lengths of a fifth to four fifths of the diameter, at 4 to 100 % of their
+/// torques (docs/explanation/load.md). Figures without a factor have errors of their own, of error_of().
 struct ErrorRule
 {
     double LoadedState::*figure;
-    double usual;                          ///< difference relative to the figure; 0: not compared
-    double least;                          ///< that a drive of usual differences gets, relative to the figure
-    double factor;                         ///< of the error over the difference, times grid_safety()
-    double growth;                         ///< exponent of the torque below usual_torque()
+    double usual;          ///< difference relative to the figure; 0: not compared
+    double least;          ///< difference that a drive of usual differences gets besides, relative to the figure
+    double factor;         ///< of the error over the difference, times grid_safety()
+    double growth;         ///< exponent of the torque below usual_torque()
+    double departure = 0;  ///< part of the wave generator's relative departure from its mean that counts as difference
     double LoadedState::*scale = nullptr;  ///< that the difference is relative to; null: the figure
 };
 
@@ -31,24 +30,24 @@ constexpr double steepness = 0.8;  ///< tan(alpha) at the rounded edges of tips;
 
 using S = LoadedState;
 constexpr ErrorRule error_rules[] = {
-    {&S::twist, 0.014, 0.0033, 1.15, 0.45},
-    {&S::stiffness, 0.034, 0.077, 0.6, 0.2},
-    {&S::contact_area, 0.51, 0.82, 1.1, 0.6},
-    {&S::contact_fraction, 0.51, 0.82, 1.1, 0.6},
-    {&S::fraction_within_gap, 0.41, 0.56, 0.88, 0.4},
+    {&S::twist, 0.014, 0.003, 0.8, 0.6},
+    {&S::stiffness, 0.034, 0.03, 0.42, 0.3, 1},
+    {&S::contact_area, 0.51, 0.01, 0.95, 0.75},
+    {&S::contact_fraction, 0.51, 0.01, 0.95, 0.75},
+    {&S::fraction_within_gap, 0.41, 0.01, 0.67, 0.75},
     {&S::carrying_fraction, 0, 0, 2, 0},
-    {&S::largest_pressure, 0.19, 0, 0, 0},
-    {&S::largest_force, 0.11, 0.19, 0.27, 0.3},
-    {&S::largest_line_load, 0.28, 0.7, 0.24, 0.5},
-    {&S::flank_pressure, 0, 0.46, 1, 0},
-    {&S::edge_force, 0.17, 0.64, 0.26, 0.4},
-    {&S::edge_fraction, 0, 0.08, 0.52, 0.2},
+    {&S::largest_pressure, 0.19, 0, 0, 0.15},
+    {&S::largest_force, 0.11, 1, 0.06, 0.45},
+    {&S::largest_line_load, 0.28, 1, 0.13, 0.45},
+    {&S::flank_pressure, 0, 1, 0.38, 0.15},
+    {&S::edge_force, 0.17, 0.3, 0.38, 0.3},
+    {&S::edge_fraction, 0, 0.03, 0.52, 0.3},
     {&S::flowing_fraction, 0, 0, 1, 0},
-    {&S::wave_generator_force, 0.0019, 0.0069, 0.44, 0},
+    {&S::wave_generator_force, 0.0019, 0.01, 0.28, -0.3},
     {&S::wave_generator_torque, 0.004, 0, 0, 0},
-    {&S::lobe_force, 0.0023, 0.0085, 0.41, 0},
-    {&S::lobe_force_across, 0.0085, 0, 0, 0, &S::lobe_force},
-    {&S::ball_force, 0.0098, 0.075, 0.45, 0},
+    {&S::lobe_force, 0.0023, 0.01, 0.3, -0.3},
+    {&S::lobe_force_across, 0.0085, 0, 0, 0, 0, &S::lobe_force},
+    {&S::ball_force, 0.0098, 0.01, 1.8, -0.3},
 };
 
 /// Of the drive whose figures are compared.
@@ -69,31 +68,44 @@ double usual_torque(Scene const& scene)
            std::pow(scene.drive.module * scene.drive.flexspline_teeth, 3);
 }
 
-/// Enters the errors of the wave generator's torque and of the force across its lobe. Without friction the torque is
-/// (z_c - z_f)/z_c of that on the circular spline in the mean over a pitch. How far a place is from that mean changes
-/// with the teeth that carry there, and grids may agree on it by chance: the largest departure from the mean on any
-/// grid is the measure of the error.
-/// @param difference  between grids, of a figure
-void enter_errors_at_place(LoadedState const& a, std::vector<LoadedState> const& coarser, double safety,
-                           Scales const& drive, std::function<double(double LoadedState::*)> const& difference,
-                           LoadedState& d)
+/// Without friction the wave generator's torque is (z_c - z_f)/z_c of that on the circular spline in the mean over a
+/// pitch. How far a place is from that mean changes with the teeth that carry there, and grids may agree on it by
+/// chance: the largest departure from the mean on any grid is the measure of the error.
+struct Departure
 {
-    constexpr double of_torque = 0.9, of_across = 1.05, of_difference = 0.1;
+    double absolute = 0;  ///< [N mm]
+    double relative = 0;  ///< to the mean; 0 without torque
+};
+
+Departure departure_from_mean(LoadedState const& a, std::vector<LoadedState> const& coarser, Scales const& drive)
+{
     double const mean = drive.torque_ratio * a.torque;
     double departure = std::abs(a.wave_generator_torque - mean);
     for (LoadedState const& each : coarser)
         departure = std::max(departure, std::abs(each.wave_generator_torque - mean));
-    d.wave_generator_torque = of_torque * safety * departure;
-    double across = of_difference * difference(&LoadedState::lobe_force_across);
-    if (mean != 0 && a.twist != 0)
-        across += std::abs(a.lobe_force_across) *
-                  (departure / std::abs(mean) + of_difference * difference(&LoadedState::twist) / std::abs(a.twist));
-    d.lobe_force_across = of_across * safety * across;
+    return {departure, mean != 0 ? departure / std::abs(mean) : 0};
+}
+
+/// Enters the errors of the numbers of teeth and balls. @param d  has that of the stiffness
+void enter_numbers(LoadedState const& a, std::vector<LoadedState> const& coarser, double safety, int sectors,
+                   LoadedState& d)
+{
+    for (int LoadedState::*const number : {&LoadedState::teeth, &LoadedState::balls}) {
+        std::vector<int> numbers(coarser.size());
+        std::ranges::transform(coarser, numbers.begin(), number);
+        d.*number = count_error(a.*number, numbers, sectors, safety);
+    }
+    // Stiffness comes with the number of teeth.
+    constexpr double of_stiffness = 1.7;
+    if (a.stiffness > 0) {
+        double const lobes = a.teeth * std::min(1.0, of_stiffness * d.stiffness / a.stiffness) / sectors;
+        d.teeth = std::max(d.teeth, sectors * static_cast<int>(std::ceil(lobes)));
+    }
 }
 
 /// Errors of @p a from its differences to @p coarser. In a single figure grids may agree by chance. The median over all
-/// figures of difference over usual difference tells how far the drive as a whole has converged; no figure gets less
-/// than its least difference times that median.
+/// figures of difference over usual difference tells how far the drive as a whole has converged; each figure gets its
+/// least difference times that median besides.
 LoadedState error_of(LoadedState const& a, std::vector<LoadedState> const& coarser, double safety, Scales const& drive)
 {
     auto const difference = [&](double LoadedState::*figure) {
@@ -108,8 +120,11 @@ LoadedState error_of(LoadedState const& a, std::vector<LoadedState> const& coars
             over_usual.push_back(difference(rule.figure) / (rule.usual * scale(rule)));
     double const spread = numeric::quantile(over_usual, 0.5);
     LoadedState d;
+    Departure const departure = departure_from_mean(a, coarser, drive);
     for (ErrorRule const& rule : error_rules)
-        d.*rule.figure = rule.factor * safety * std::max(difference(rule.figure), spread * rule.least * scale(rule));
+        d.*rule.figure =
+            rule.factor * safety *
+            (difference(rule.figure) + (spread * rule.least + departure.relative * rule.departure) * scale(rule));
     constexpr double least_height = 0.012, height_factor = 0.42;  // of half the bearing's width
     bool const has_height = std::ranges::none_of(coarser, [](auto const& each) { return std::isnan(each.lobe_z); });
     // A grid without it leaves open where on the bearing it is.
@@ -126,25 +141,22 @@ LoadedState error_of(LoadedState const& a, std::vector<LoadedState> const& coars
     if (a.flank_pressure == 0)
         d.flank_pressure = a.largest_pressure;
     // Pressure on an edge or an end grows with finer grids, without a bound that differences would tell.
-    bool const is_on_edge = a.largest_pressure > a.flank_pressure;
-    d.largest_pressure = is_on_edge ? std::numeric_limits<double>::quiet_NaN() : d.flank_pressure;
-    enter_errors_at_place(a, coarser, safety, drive, difference, d);
+    auto const is_on_edge = [](LoadedState const& each) { return each.largest_pressure > each.flank_pressure; };
+    d.largest_pressure = is_on_edge(a) || std::ranges::any_of(coarser, is_on_edge)
+                             ? std::numeric_limits<double>::quiet_NaN()
+                             : d.flank_pressure;
+    constexpr double of_torque = 1, of_across = 1.05, of_difference = 0.1;
+    d.wave_generator_torque = of_torque * safety * departure.absolute;
+    double const of_twist = a.twist != 0 ? difference(&LoadedState::twist) / std::abs(a.twist) : 0;
+    d.lobe_force_across = of_across * safety *
+                          ((departure.relative + of_difference * of_twist) * std::abs(a.lobe_force_across) +
+                           of_difference * difference(&LoadedState::lobe_force_across));
     // A tooth that stands on an end carries most of its force there, whose error is the surer one.
-    constexpr double of_edge = 0.6;
+    constexpr double of_edge = 0.35;
     if (a.largest_force > 0)
         d.largest_force =
             std::max(d.largest_force, of_edge * std::min(1.0, a.edge_force / a.largest_force) * d.edge_force);
-    for (int LoadedState::*const number : {&LoadedState::teeth, &LoadedState::balls}) {
-        std::vector<int> numbers(coarser.size());
-        std::ranges::transform(coarser, numbers.begin(), number);
-        d.*number = count_error(a.*number, numbers, drive.sectors, safety);
-    }
-    // Stiffness comes with the number of teeth.
-    constexpr double of_stiffness = 1.4;
-    if (a.stiffness > 0) {
-        double const lobes = a.teeth * std::min(1.0, of_stiffness * d.stiffness / a.stiffness) / drive.sectors;
-        d.teeth = std::max(d.teeth, drive.sectors * static_cast<int>(std::ceil(lobes)));
-    }
+    enter_numbers(a, coarser, safety, drive.sectors, d);
     return d;
 }
 
@@ -182,10 +194,11 @@ void level_errors(std::vector<LoadedState> const& states, std::vector<std::optio
     }
 }
 
-/// Raises the errors of a state below the usual torque: fewer teeth carry than in the states that error_rules are of,
-/// and they yield less, so that an error of their gaps is a larger part of it. At less than a hundredth of the usual
-/// torque the errors grow no more: teeth that press on both flanks carry much the same forces there as without torque.
-void grow_at_small_torques(LoadedState const& state, Scales const& drive, LoadedState& error)
+/// Changes the errors of a state below the usual torque: fewer teeth carry than in the states that error_rules are of,
+/// and they yield less, so that an error of their gaps is a larger part of it. The bearing's forces are mostly those of
+/// the assembly there, which are known better. At less than a hundredth of the usual torque the errors change no more:
+/// teeth that press on both flanks carry much the same forces there as without torque.
+void scale_at_small_torques(LoadedState const& state, Scales const& drive, LoadedState& error)
 {
     constexpr double most = 100;
     double const ratio = std::min(most, drive.usual_torque / std::abs(state.torque));
@@ -193,7 +206,8 @@ void grow_at_small_torques(LoadedState const& state, Scales const& drive, Loaded
         return;
     for (ErrorRule const& rule : error_rules)
         error.*rule.figure *= std::pow(ratio, rule.growth);
-    constexpr double of_teeth = 0.4;
+    constexpr double of_teeth = 0.4, of_height = -0.2;
+    error.lobe_z *= std::pow(ratio, of_height);
     double const lobes = std::ceil(error.teeth * std::pow(ratio, of_teeth) / drive.sectors);
     error.teeth = drive.sectors * static_cast<int>(std::min(lobes, std::floor(drive.teeth / drive.sectors)));
 }
@@ -251,7 +265,7 @@ std::vector<std::optional<LoadedState>> branch_errors(LoadProblem const& problem
     level_errors(branch.states, errors);
     for (std::size_t i = 0; i < errors.size(); ++i)
         if (errors[i]) {
-            grow_at_small_torques(branch.states[i], scales, *errors[i]);
+            scale_at_small_torques(branch.states[i], scales, *errors[i]);
             reach_mean_of_flow(drive.flow_pressure, branch.states[i], *errors[i]);
         }
     return errors;
