@@ -15,7 +15,7 @@ std::optional<double> least_length(DesignWishes const& wishes, Talk const& talk)
         DesignWishes longer = wishes;
         longer.length_ratio = number / parts;
         if (talk)
-            talk("a cup of " + short_number(longer.length_ratio) + " pitch diameters");
+            talk("a cup " + short_number(longer.length_ratio) + " pitch diameters long");
         return WallSearch(longer, talk).best(false).works();
     };
     int refused = static_cast<int>(std::floor(wishes.length_ratio * parts)),

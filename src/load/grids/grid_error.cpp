@@ -19,10 +19,10 @@ struct ErrorRule
 {
     double LoadedState::*figure;
     double usual;          ///< difference relative to the figure; 0: not compared
-    double least;          ///< difference that a drive of usual differences gets besides, relative to the figure
+    double least;          ///< added to the difference in a drive of usual differences, relative to the figure
     double factor;         ///< of the error over the difference, times grid_safety()
     double growth;         ///< exponent of the torque below usual_torque()
-    double departure = 0;  ///< part of the wave generator's relative departure from its mean that counts as difference
+    double departure = 0;  ///< share of Departure::relative that is added to the difference, relative to the figure
     double LoadedState::*scale = nullptr;  ///< that the difference is relative to; null: the figure
 };
 
@@ -68,9 +68,9 @@ double usual_torque(Scene const& scene)
            std::pow(scene.drive.module * scene.drive.flexspline_teeth, 3);
 }
 
-/// Without friction the wave generator's torque is (z_c - z_f)/z_c of that on the circular spline in the mean over a
-/// pitch. How far a place is from that mean changes with the teeth that carry there, and grids may agree on it by
-/// chance: the largest departure from the mean on any grid is the measure of the error.
+/// How far the wave generator's torque at one angle of the wave generator is from its mean over a tooth pitch. Without
+/// friction that mean is (z_c - z_f)/z_c of the torque on the circular spline. The departure depends on which teeth
+/// carry at that angle, and grids may agree on it by chance: the largest one on any grid measures the error.
 struct Departure
 {
     double absolute = 0;  ///< [N mm]
@@ -104,8 +104,8 @@ void enter_numbers(LoadedState const& a, std::vector<LoadedState> const& coarser
 }
 
 /// Errors of @p a from its differences to @p coarser. In a single figure grids may agree by chance. The median over all
-/// figures of difference over usual difference tells how far the drive as a whole has converged; each figure gets its
-/// least difference times that median besides.
+/// figures of difference over usual difference tells how far the drive as a whole has converged; to each
+/// difference the least one times that median is added.
 LoadedState error_of(LoadedState const& a, std::vector<LoadedState> const& coarser, double safety, Scales const& drive)
 {
     auto const difference = [&](double LoadedState::*figure) {
@@ -145,8 +145,8 @@ LoadedState error_of(LoadedState const& a, std::vector<LoadedState> const& coars
     d.largest_pressure = is_on_edge(a) || std::ranges::any_of(coarser, is_on_edge)
                              ? std::numeric_limits<double>::quiet_NaN()
                              : d.flank_pressure;
-    constexpr double of_torque = 1, of_across = 1.05, of_difference = 0.1;
-    d.wave_generator_torque = of_torque * safety * departure.absolute;
+    constexpr double of_across = 1.05, of_difference = 0.1;
+    d.wave_generator_torque = safety * departure.absolute;
     double const of_twist = a.twist != 0 ? difference(&LoadedState::twist) / std::abs(a.twist) : 0;
     d.lobe_force_across = of_across * safety *
                           ((departure.relative + of_difference * of_twist) * std::abs(a.lobe_force_across) +
