@@ -610,6 +610,17 @@ class Reports(unittest.TestCase):
             self.assertEqual(page.locator("#run .curves").count(), page.locator("#run .curves[data-errors]").count())
             see(page, "axial")
             self.assertEqual(page.locator("#axial .curves[data-errors=band]").count(), 1)
+            for figure in page.locator("figure:has(.curves[data-errors=band])").all():
+                self.assert_a_cut_band_is_told(figure)
+
+    def assert_a_cut_band_is_told(self, figure):
+        (low, high), points = figure.locator(".curves").evaluate("""({ plot }) => [
+            [plot.scales.y.min, plot.scales.y.max],
+            plot.series.slice(1).flatMap((each, n) =>
+                Array.from(plot.data[n + 1], (v, i) => [v, each.value(plot, v, n + 1, i)]))]""")
+        errors = [float(text.split(" ± ")[1]) for _, text in points]
+        is_cut = any(value - error < low or value + error > high for (value, _), error in zip(points, errors))
+        self.assertEqual("The band leaves the picture" in figure.inner_text(), is_cut, figure.inner_text())
 
     def test_an_error_that_was_not_determined_is_called_so(self):
         result = Path(FOLDER.name) / "bare.h5"

@@ -22,7 +22,8 @@ function shownRange(values, bounds) {
     kept[1] = Math.min(bounds[1], values[1] + 0.75 * span);
   }
   const margin = 0.04 * (kept[1] - kept[0]) || 0.5;
-  return [[kept[0] === 0 ? 0 : kept[0] - margin, kept[1] + margin], kept[0] > bounds[0] || kept[1] < bounds[1]];
+  const [low, high] = [kept[0] === 0 ? 0 : kept[0] - margin, kept[1] + margin];
+  return [[low, high], low > bounds[0] || high < bounds[1]];
 }
 
 /** @param {string} label @param {number} size @returns {uPlot.Axis} */

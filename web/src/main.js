@@ -50,7 +50,7 @@ function warnings(drive) {
     .map((each) => make("li", { class: "warning" }, `${each.part}: ${each.why}`));
   const all = [...failed, ...notes, ...others];
   const alarming = failed.length > 0 || drive.judgement.some((note) => note.severity === "warning");
-  const title = say(others.length && !alarming ? "notes" : "warnings");
+  const title = say(!others.length ? "warnings" : alarming ? "warningsAndNotes" : "notes");
   return make("section", { "class": alarming ? "warnings" : "notes", "aria-label": title }, make("h2", {}, title),
     all.length ? make("ul", {}, ...all) : make("p", {}, say("noWarnings")));
 }

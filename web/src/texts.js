@@ -4,7 +4,7 @@
 const english = {
   numbers: "Numbers", mesh: "Teeth in mesh", axial: "Along the axis", load: "Under torque", wedm: "Cutting",
   compare: "Compare", scene: "Scene", about: "About this page", drive: "Drive", warnings: "Warnings",
-  notes: "Notes", failedDrives: "Drives that could not be computed",
+  notes: "Notes", warningsAndNotes: "Warnings and notes", failedDrives: "Drives that could not be computed",
   noWarnings: "The judgement of the design holds no warning.", search: "Search figures",
   copyCsv: "Copy as CSV", copied: "Copied",
     copyFailed: "The browser does not let this page copy: mark the table instead",
