@@ -14,10 +14,13 @@
 #include "hdconj/file/atomic_file.hpp"
 #include "hdconj/judgement.hpp"
 #include "hdconj/plan.hpp"
+#include "hdconj/profile/registry.hpp"
 #include "hdconj/read_scene.hpp"
+#include "hdconj/scene/reading.hpp"
 #include "hdconj/scene/schema.hpp"
 #include "hdconj/solve.hpp"
 #include "hdconj/version.hpp"
+#include "hdconj/wavegen/registry.hpp"
 #include "layout.hpp"
 #include "scene.hpp"
 #include "verbs.hpp"
@@ -116,6 +119,13 @@ void add_scene(nb::module_& module)
         .def_prop_ro("files", files_of)
         .def_prop_ro("name", [](SceneHandle const& scene) { return text_of(scene.as_read().drive.name); })
         .def("check_json", check_text, "name"_a, "verb"_a);
+    module.def(
+        "unit_of_key",
+        [](std::string const& path) {
+            return std::string(
+                scene::unit_of_key(path, {profile::profile_families(), wavegen::wave_generator_families()}));
+        },
+        "path"_a);
     module.def("keep_elastic_bodies", keep_elastic_bodies, "count"_a);
     module.def("elastic_body_count", [] {
         ElasticBodyCount const count = elastic_body_count();

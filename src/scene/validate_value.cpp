@@ -27,12 +27,6 @@ bool is_numeric(Quantity quantity)
            quantity != Quantity::rows;
 }
 
-bool is_length(Quantity quantity)
-{
-    return quantity == Quantity::length || quantity == Quantity::positive_length ||
-           quantity == Quantity::nonnegative_length || quantity == Quantity::length_or_word;
-}
-
 std::string kind_name(Kind kind)
 {
     constexpr std::array names{"true or false", "a number", "a number", "text", "a date or time", "a list", "a table"};
@@ -113,16 +107,6 @@ Verdict validate_number(ParameterSpec const& spec, RawValue const& value, std::s
     else if (is_length(spec.quantity))
         verdict = validate_length(spec, value.number, remedy);
     return verdict ? verdict : validate_bounds(spec, value.number, remedy);
-}
-
-/// The unit that the meaning of a key names which is neither a length nor an angle; may be empty.
-std::string_view unit_of_number(ParameterSpec const& spec)
-{
-    constexpr std::array<std::string_view, 5> units{"N m/rad", "N m", "MPa", "mm^2/s", "N/mm^2"};
-    for (std::string_view const unit : units)
-        if (spec.meaning.find("in " + std::string(unit)) != std::string_view::npos)
-            return unit;
-    return "";
 }
 
 /// What a number with @p unit behind it is multiplied by to be in the unit of @p spec; nothing where that is not known.

@@ -93,6 +93,11 @@ void validate_missing(Validation& validation);
 /// Every key that table @p table can have: its own, then those of all its families.
 [[nodiscard]] std::vector<ParameterSpec const*> keys_of(TableSpec const& table, SceneFamilies const& families);
 
+[[nodiscard]] bool is_length(Quantity quantity);
+
+/// The unit that the meaning of a key names which is neither a length nor an angle; may be empty.
+[[nodiscard]] std::string_view unit_of_number(ParameterSpec const& spec);
+
 /// The path of a key called exactly @p key in a table other than @p except.
 [[nodiscard]] std::optional<std::string> key_elsewhere(std::string_view key, std::string_view except,
                                                        SceneFamilies const& families);

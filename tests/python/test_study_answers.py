@@ -217,8 +217,12 @@ def test_units_and_axes_where_drives_cannot_be_made(run, tmp_path):
     """The drive in the middle is none of those that can be made: their shards have the units."""
     found = run(FAILING, tmp_path)
     assert 0 < (found.frame["code"] == "").sum() < 24 and found.about["first"]
-    assert found.frame.attrs["units"] == {"depth": "um", "land": "mm"}
+    keys = ["flexspline.wall", "wave_generator.radial_deformation"]
+    assert found.frame.attrs["units"] == {**dict.fromkeys(keys, "mm"), "depth": "um", "land": "mm"}
+    labels = [pane.get_xlabel() for pane in keys_picture(found).axes]
+    assert [label for label in labels if label] == [f"{key} [mm]" for key in keys]
     cube = found.to_xarray()
+    assert all(cube[key].attrs["units"] == "mm" for key in keys)
     assert cube["land"].attrs["units"] == cube["land_error"].attrs["units"] == "mm"
     assert cube["depth"].attrs["units"] == "um"
     pane = parallel_picture(found).axes[0]

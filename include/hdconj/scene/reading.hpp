@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hdconj/error.hpp"
@@ -36,6 +37,12 @@ struct SceneReading
     bool geometry_known = false;               ///< all that check_scene needs is there: its faults can be found too
     std::map<std::string, std::string, std::less<>> file_names{};  ///< of CSV files, by the paths of the keys
 };
+
+/// The unit of the numbers that a key takes, as scenes are written: "mm", "deg", or another one such as "N m".
+/// @param path      of the key, such as "circular_spline.backlash_offset"
+/// @param families  whose keys count too, whichever the scene names
+/// @returns nothing where it takes a number without unit, or no number, and where no table has such a key
+[[nodiscard]] std::string_view unit_of_key(std::string_view path, SceneFamilies const& families);
 
 /// Validates @p root, the top table of a scene.
 /// @param folder  where relative file names start

@@ -25,7 +25,7 @@ _MOST_UPRIGHT = 26  # words under a pane
 
 
 def _label(study: Study, name: str) -> str:
-    unit = study.units.get(name, "")
+    unit = study.frame.attrs["units"].get(name, "")
     return f"{name} [{unit}]" if unit not in ("", "1") else name
 
 
@@ -96,7 +96,7 @@ def keys_picture(study: Study) -> Any:
             pane, places = panes[row, column], study.frame[key]
             is_last = row == len(names) - 1
             if is_last:
-                pane.set_xlabel(key)
+                pane.set_xlabel(_label(study, key))
             if study.frame[name].isna().all():
                 _say_none(pane)
             if key in numeric and (width := places.max() - places.min()) > 0:

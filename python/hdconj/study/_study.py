@@ -15,6 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .._arguments import checked
+from .._core import unit_of_key
 from .._files import write_whole
 from .._scene import Scene
 from ._front import dominated
@@ -57,11 +58,14 @@ class Study:
 
     @cached_property
     def frame(self) -> Any:
-        """All rows in order of samples, failed drives too, as a ``pandas.DataFrame``; units are in its ``attrs``."""
+        """All rows in order of samples, failed drives too, as a ``pandas.DataFrame``.
+
+        Its ``attrs["units"]`` has the units of keys and figures.
+        """
         frame = self._read("rows")
         if frame.empty:
             frame = schema_of(self.recipe).empty_table().to_pandas()
-        frame.attrs["units"] = dict(self.units)
+        frame.attrs["units"] = self.key_units | self.units
         return frame
 
     @cached_property
@@ -71,6 +75,12 @@ class Study:
         shards = () if all(name in units for name, _ in self.recipe.figures) else self._shards("rows")
         return {name: unit for _, about in shards for name, unit in about["units"].items()} | units
 
+    @cached_property
+    def key_units(self) -> dict[str, str]:
+        """Units of the keys that vary or follow from a link, as far as the scene's schema knows one."""
+        paths = (*(key.path for key in self.recipe.keys), *(path for path, _ in self.recipe.links))
+        return {path: unit for path in paths if (unit := unit_of_key(path))}
+
     def to_pandas(self) -> Any:
         """The same as :attr:`frame`."""
         return self.frame
@@ -78,12 +88,13 @@ class Study:
     def to_xarray(self) -> Any:
         """Rows as an ``xarray.Dataset``: over the keys where the sample is a grid, else over the samples.
 
-        Figures and their errors have the attribute ``units``.
+        Keys, figures and their errors have the attribute ``units``.
         """
         found = self._labelled()
-        for name, unit in self.units.items():
+        for name, unit in (self.key_units | self.units).items():
             for variable in (name, f"{name}_error"):
-                found[variable].attrs["units"] = unit
+                if variable in found.variables:
+                    found[variable].attrs["units"] = unit
         return found
 
     def _labelled(self) -> Any:

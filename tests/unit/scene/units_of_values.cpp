@@ -6,9 +6,13 @@
 #include <optional>
 #include <regex>
 #include <string>
+#include <utility>
 
+#include "hdconj/profile/registry.hpp"
 #include "hdconj/read_scene.hpp"
+#include "hdconj/scene/reading.hpp"
 #include "hdconj/units.hpp"
+#include "hdconj/wavegen/registry.hpp"
 #include "support/catch.hpp"
 #include "support/draws.hpp"
 
@@ -84,6 +88,28 @@ TEST_CASE("no number is told where the unit is not known or of another quantity"
         INFO(key << " = " << value << ": " << fault.remedy);
         CHECK_FALSE(told(fault));
         CHECK(fault.remedy.find("without") != std::string::npos);
+    }
+}
+
+TEST_CASE("the unit of a key is that in which scenes state it", "[scene]")
+{
+    scene::SceneFamilies const families{profile::profile_families(), wavegen::wave_generator_families()};
+    for (auto const& [key, unit] : {std::pair{"circular_spline.backlash_offset", "mm"},  // or a word
+                                    {"tilt.angle_deg", "deg"},
+                                    {"load.torque", "N m"},
+                                    {"compliance.hub", "N m/rad"},
+                                    {"flexspline.cup.youngs_modulus", "MPa"},
+                                    {"flexspline.profile.convex_radius", "mm"},  // of one family
+                                    {"wave_generator.roller_angle_deg", "deg"},
+                                    {"drive.flexspline_teeth", ""},
+                                    {"drive.name", ""},
+                                    {"errors.circular_spline.pitch", ""},
+                                    {"flexspline.unknown", ""},
+                                    {"unknown.wall", ""},
+                                    {"flexspline", ""},
+                                    {"", ""}}) {
+        INFO(key);
+        CHECK(scene::unit_of_key(key, families) == unit);
     }
 }
 
