@@ -33,6 +33,7 @@ BAD = [
     ("[vary]", "[vary", "no TOML"),
     ("[sample]", "[sampel]", "sampel: unknown table (write sample)"),
     ("[sample]", "[extra]\n[sample]", "extra: unknown table (known: scene, set, vary, "),
+    ("\n[vary]", 'base = "drive.toml"\n[vary]', "base: unknown key (known: scene, set, vary, "),
     ("[sample]", "scene = 3\n[sample]", "vary.scene = 3: a single value does not vary (write scene = "),
     ("\n[vary]", 'scene = "nowhere.toml"\n[vary]', "there is no such file"),
     ("\n[vary]", "scene = 3\n[vary]", "scene = 3: is no file name"),

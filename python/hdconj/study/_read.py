@@ -87,9 +87,10 @@ def unread_files(recipe: Recipe) -> list[Fault]:
 
 def _read_tables(reader: Reader, computed: bool) -> Recipe:
     """The recipe, sound as long as the reader has no fault. One that is computed is not asked what its rows tell."""
-    for name in reader.tables:
+    for name, value in reader.tables.items():
         if name not in TABLES:
-            reader.told(name, "unknown table", near(name, TABLES))
+            kind = "table" if isinstance(value, dict) else "key"
+            reader.told(name, f"unknown {kind}", near(name, TABLES))
     places = reader.files()
     scene = reader.base()
     keys, links = reader.vary()
