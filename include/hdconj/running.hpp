@@ -83,7 +83,7 @@ struct EfficiencyRow
     double speed = 0;             ///< of the wave generator [rad/s]
     double temperature = 0;       ///< of the lubricant [degrees Celsius]
     double efficiency = 0;        ///< power of the output over that of the wave generator; NaN where both are 0
-    double efficiency_error = 0;  ///< this and the next error: 0 where RunLosses::estimated is false
+    double efficiency_error = 0;  ///< NaN as that is; this and the next error: 0 where RunLosses::estimated is false
     double input_torque = 0;  ///< that drives the wave generator; without torque on the output: no-load running torque
     double input_torque_error = 0;  ///< [N mm]
     double flanks = 0;              ///< part of the input that sliding flanks take; its error is that of the input

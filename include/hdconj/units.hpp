@@ -14,6 +14,7 @@ inline constexpr double arcmin = deg / 60;             ///< [rad]
 inline constexpr double arcsec = deg / 3600;           ///< [rad]
 inline constexpr double um = 1e-3;                     ///< [mm]
 inline constexpr double newton_metre = 1000;           ///< [N mm]
+inline constexpr double rpm = std::numbers::pi / 30;   ///< [rad/s]
 /// @}
 
 /// @name Reciprocals, for output: `angle * per_deg` is an angle in degrees.

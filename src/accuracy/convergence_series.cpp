@@ -4,25 +4,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/moments.hpp"
+
 namespace hdconj::accuracy {
 namespace {
-
-bool is_number(double value)
-{
-    return value == value;
-}
-
-/// The larger of two numbers, one of which may not be measured.
-double worse(double a, double b)
-{
-    return !is_number(a) || b > a ? b : a;
-}
 
 double median_of(std::vector<double> values)
 {
     std::sort(values.begin(), values.end());
     std::size_t const half = values.size() / 2;
     return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+/// The larger of two numbers, one of which may not be measured.
+double worse(double a, double b)
+{
+    return std::isnan(a) || b > a ? b : a;
 }
 
 ConvergenceLevel level_of(std::vector<StudyRecord const*> const& records)
@@ -153,7 +150,7 @@ std::vector<ConvergenceLevel const*> above(std::vector<ConvergenceLevel> const& 
     constexpr double clear_of_floor = 3;
     std::vector<ConvergenceLevel const*> clear;
     for (ConvergenceLevel const& level : levels)
-        if (level.value > 0 && level.error > 0 && !(is_number(floor) && !(level.error > clear_of_floor * floor)))
+        if (level.value > 0 && level.error > 0 && (std::isnan(floor) || level.error > clear_of_floor * floor))
             clear.push_back(&level);
     return clear;
 }
@@ -169,17 +166,14 @@ bool falls(ConvergenceLevel const& a, ConvergenceLevel const& b)
 
 double observed_order(std::vector<ConvergenceLevel> const& levels, double floor)
 {
-    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+    constexpr std::size_t least = 3;
+    std::vector<double> x, y;
     for (ConvergenceLevel const* level : above(levels, floor)) {
-        double const x = std::log(level->value), y = std::log(level->error);
-        ++n;
-        sx += x;
-        sy += y;
-        sxx += x * x;
-        sxy += x * y;
+        x.push_back(std::log(level->value));
+        y.push_back(std::log(level->error));
     }
-    double const spread = n * sxx - sx * sx;
-    return n < 3 || !(spread > 0) ? not_measured : (n * sxy - sx * sy) / spread;
+    numeric::Moments const line = numeric::moments(x, y);
+    return x.size() < least || !(line.xx > 0) ? not_measured : line.xy / line.xx;
 }
 
 std::string why_no_order(std::vector<ConvergenceLevel> const& levels, double floor)

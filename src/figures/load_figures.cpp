@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "joined_tables.hpp"
 #include "number_text.hpp"
 
 namespace hdconj::figures {
@@ -28,15 +29,6 @@ constexpr auto estimated(char const* name, Unit const& unit, char const* meaning
 constexpr Text general(char const* label)
 {
     return {label, table_number, two_digits};
-}
-
-template <class Row, std::size_t n, std::size_t m, std::size_t l>
-constexpr auto joined(std::array<Row, n> const& first, std::array<Row, m> const& second,
-                      std::array<Row, l> const& third)
-{
-    std::array<Row, n + m + l> all{};
-    std::ranges::copy(third, std::ranges::copy(second, std::ranges::copy(first, all.begin()).out).out);
-    return all;
 }
 
 constexpr auto twist_figures()

@@ -39,7 +39,7 @@ std::string table_number(double value)
 
 std::string scientific(double value)
 {
-    return value == value ? exponential<2>(value) : "-";
+    return std::isnan(value) ? "-" : exponential<2>(value);
 }
 
 std::string duration(double seconds)

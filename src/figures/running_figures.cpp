@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
+#include <cmath>
 
+#include "joined_tables.hpp"
 #include "number_text.hpp"
 
 namespace hdconj::figures {
@@ -14,15 +15,14 @@ using namespace unit;
 namespace {
 
 inline constexpr Unit arcsec{"rad", "arcsec", "arcsec", 60 * per_arcmin};
-inline constexpr Unit rpm{"rad/s", "rpm", "rpm", 60 / (2 * std::numbers::pi)};
+inline constexpr Unit rpm{"rad/s", "rpm", "rpm", 1 / hdconj::rpm};
 inline constexpr Unit celsius{"degC", "degC", "deg C"};
-inline constexpr Unit turn{"rad", "deg", "deg", per_deg};
 
 /// "-" where there is no value.
 template <std::string (*format)(double)>
 std::string if_determined(double value)
 {
-    return value == value ? format(value) : "-";
+    return std::isnan(value) ? "-" : format(value);
 }
 
 constexpr std::array error_figures = {
@@ -43,16 +43,8 @@ constexpr std::array torque_figures = {
     pair<&RunSequence::torque_ripple, &RunSequence::torque_ripple_error>(
         "torque_ripple", newton_metre, "peak to peak of that torque", {"ripple", significant<3>, two_digits})};
 
-template <class Row, std::size_t n, std::size_t m>
-constexpr auto both(std::array<Row, n> const& first, std::array<Row, m> const& second)
-{
-    std::array<Row, n + m> all{};
-    std::ranges::copy(second, std::ranges::copy(first, all.begin()).out);
-    return all;
-}
-
 constexpr std::array place_rows = {
-    figure<&RunPosition::angle>("angle", turn, "of the wave generator against the ring that is held"),
+    figure<&RunPosition::angle>("angle", degree, "of the wave generator against the ring that is held"),
     pair<&RunPosition::error, &RunPosition::error_error>(
         "error", arcsec, "transmission error: by how much the output is ahead; its own error is that about the mean")};
 
@@ -86,13 +78,13 @@ Rows<RunStudy> run_study_figures()
 
 Rows<RunSequence> run_sequence_figures(bool under_torque)
 {
-    static constexpr std::array all = both(error_figures, torque_figures);
+    static constexpr std::array all = joined(error_figures, torque_figures);
     return under_torque ? Rows<RunSequence>(all) : Rows<RunSequence>(error_figures);
 }
 
 Rows<RunPosition> run_position_rows(bool under_torque)
 {
-    static constexpr std::array all = both(place_rows, torque_rows);
+    static constexpr std::array all = joined(place_rows, torque_rows);
     return under_torque ? Rows<RunPosition>(all) : Rows<RunPosition>(place_rows);
 }
 
@@ -105,7 +97,7 @@ Rows<RunOrder> run_order_rows()
         figure<&T::per_output>("per_output", one, "periods in a turn of the output"),
         pair<&T::amplitude, &T::amplitude_error>("amplitude", arcsec, "of amplitude cos(per_input angle - phase)",
                                                  {"amplitude", significant<3>, two_digits}),
-        pair<&T::phase, &T::phase_error>("phase", turn, "of the same; an error of 180 degrees: not known")};
+        pair<&T::phase, &T::phase_error>("phase", degree, "of the same; an error of 180 degrees: not known")};
     return Rows<T>(rows);
 }
 

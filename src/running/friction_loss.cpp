@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "hdconj/units.hpp"
 
 namespace hdconj::running {
 
@@ -28,7 +29,7 @@ double lubricant_torque(Friction const& friction, double diameter, double viscos
 {
     constexpr double limit = 2000;  // of nu n: below, the film is always the same
     constexpr double unit = 1e-7;   // of f0, in Palmgren's units
-    double const rpm = speed * 60 / (2 * std::numbers::pi), product = std::max(limit, viscosity * rpm);
+    double const product = std::max(limit, viscosity * speed / rpm);
     // 160 is 2000^(2/3), rounded
     double const factor = product > limit ? std::pow(product, 2.0 / 3) : 160;
     return unit * friction.bearing_speed * factor * diameter * diameter * diameter;
@@ -73,6 +74,8 @@ EfficiencyRow efficiency_at(LossModel const& model, LoadedRun const& run, double
     double const lost = row.flanks + row.bearing_load + row.bearing_speed + row.seal + row.churning;
     row.input_torque = useful + lost;
     row.efficiency = useful / row.input_torque;
+    if (std::isnan(row.efficiency))
+        row.efficiency_error = row.efficiency;
     return row;
 }
 

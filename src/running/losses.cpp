@@ -125,6 +125,13 @@ std::vector<LoadedRun> runs_under(std::vector<double> const& torques, TurningDri
     return runs;
 }
 
+/// Width of the interval of the torques of @p runs, in order of size, in which @p torque lies [N mm].
+double interval_about(std::vector<LoadedRun> const& runs, double torque)
+{
+    auto const after = std::ranges::lower_bound(runs, torque, {}, &LoadedRun::torque);
+    return after == runs.begin() || after == runs.end() ? 0 : after->torque - std::prev(after)->torque;
+}
+
 }  // namespace
 
 std::vector<LoadedRun> LossRuns::with_between() const
@@ -148,6 +155,7 @@ LossRuns loss_runs(LossModel const& model, TurningDrive const& drive, RunTask co
     constexpr double enough = 1e-3;  // of the torque
     SequenceObserver const unseen{observer.stop, {}, {}};
     std::optional<double> now = back_driving_torque(model, runs.asked);
+    runs.unsettled = now ? interval_about(runs.asked, *now) : 0;
     for (int i = 0; i < most && now && *now > 0; ++i) {
         std::vector<LoadedRun> added = runs_under({*now}, drive, model.motion, unseen);
         if (added.empty())

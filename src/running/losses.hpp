@@ -15,7 +15,8 @@ struct LossRuns
 {
     std::vector<LoadedRun> asked;    ///< without torque and under each torque of the task; empty: no results
     std::vector<LoadedRun> between;  ///< under further torques, near the back-driving torque
-    double unsettled = 0;            ///< by how much the last of them moved that torque [N mm]
+    /// By how much that torque moved with the last of them; without any, the interval that it lies in [N mm].
+    double unsettled = 0;
 
     [[nodiscard]] std::vector<LoadedRun> with_between() const;  ///< in order of torque
 };

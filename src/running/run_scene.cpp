@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/option_faults.hpp"
 #include "hdconj/check.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/scene/schema.hpp"
+#include "hdconj/units.hpp"
 #include "load/study/loaded_scene.hpp"
 #include "scene/usual_drive.hpp"
 
@@ -83,7 +83,7 @@ Plan plan_run(Scene const& scene, RunOptions const& options)
                         (elastic ? "first contact and balance" : "first contact in the shape that is prescribed") +
                         " at positions of the wave generator" +
                         (scene.friction ? fmt::format(", friction.flanks = {:g}", scene.friction->flanks) : "")};
-    std::erase_if(plan.absent, [](AbsentEffect const& each) { return each.remedy == "a table [compliance]"; });
+    std::erase_if(plan.absent, [](AbsentEffect const& each) { return each.name == "members in series"; });
     if (!scene.friction)
         plan.absent.push_back({"friction", "a table [friction]"});
     if (!elastic)
@@ -96,7 +96,6 @@ namespace running {
 RunTask run_task(Scene const& scene, RunOptions const& options)
 {
     constexpr int standard_positions = 16;
-    constexpr double rpm = 2 * std::numbers::pi / 60;
     RunRequest const request = scene.running.value_or(RunRequest());
     RunTask task{RunningMotion(scene.drive, request.output), largest_torque(scene, options)};
     task.positions = options.positions.value_or(request.positions > 0 ? request.positions : standard_positions);

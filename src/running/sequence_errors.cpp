@@ -33,15 +33,21 @@ std::vector<double> order_sizes(RunSequence const& sequence, std::vector<double>
 
 /// Error and torque of the wave generator on the straight line through both neighbours.
 /// @param positions  in order of angle
-/// @param period     angle after which they come again [rad]; infinite: they do not, and the last values go on
+/// @param period     angle after which they come again [rad]; infinite: they do not, and the first and last go on
 RunPosition on_line(std::vector<RunPosition> const& positions, double angle, double period)
 {
     auto const next = std::ranges::upper_bound(positions, angle, {}, &RunPosition::angle);
-    RunPosition before = next == positions.begin() ? positions.back() : *std::prev(next),
-                after = next == positions.end() ? positions.front() : *next;
-    before.angle -= before.angle > angle ? period : 0;
-    after.angle += after.angle > angle ? 0 : period;
-    double const share = (angle - before.angle) / (after.angle - before.angle);
+    bool const is_first = next == positions.begin(), is_beyond = next == positions.end();
+    RunPosition before = is_first ? positions.back() : *std::prev(next), after = is_beyond ? positions.front() : *next;
+    if (std::isinf(period) && is_first)
+        before = after;
+    else if (std::isinf(period) && is_beyond)
+        after = before;
+    else if (is_first)
+        before.angle -= period;
+    else if (is_beyond)
+        after.angle += period;
+    double const width = after.angle - before.angle, share = width != 0 ? (angle - before.angle) / width : 0;
     return {.angle = angle,
             .error = std::lerp(before.error, after.error, share),
             .wave_generator_torque = std::lerp(before.wave_generator_torque, after.wave_generator_torque, share)};

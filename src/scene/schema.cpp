@@ -5,7 +5,6 @@
 #include "hdconj/scene/schema.hpp"
 
 #include <limits>
-#include <numbers>
 #include <type_traits>
 
 #include "hdconj/units.hpp"
@@ -16,7 +15,6 @@ namespace {
 
 using Q = Quantity;
 
-constexpr double rpm = 2 * std::numbers::pi / 60;  // [rad/s]
 constexpr double no_unit = 1;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 

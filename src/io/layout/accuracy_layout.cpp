@@ -64,7 +64,7 @@ std::string accuracy_csv(StoredAccuracy const& study)
         if (figure.former != nullptr)
             text += std::string(",") + figure.former;
     text += "\n";
-    auto const number = [](double value) { return value == value ? fmt::format("{}", value) : std::string(); };
+    auto const number = [](double value) { return std::isnan(value) ? std::string() : fmt::format("{}", value); };
     std::string const origin = cell(study.origin.version) + "," + cell(study.origin.revision) + "," +
                                cell(study.origin.build) + "," + cell(study.origin.libraries);
     for (auto const& record : study.report.records) {

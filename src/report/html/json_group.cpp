@@ -126,10 +126,9 @@ std::vector<double> array_values(Json const& array)
 
 std::vector<double> column_of(Json const& group, char const* name, double unit)
 {
-    Json const sets = group.value("datasets", Json::object());
-    if (!sets.contains(name))
+    if (!group.contains("datasets") || !group.at("datasets").contains(name))
         return {};
-    std::vector<double> values = array_values(sets.at(name));
+    std::vector<double> values = array_values(group.at("datasets").at(name));
     for (double& value : values)
         value /= unit;
     return values;
@@ -149,8 +148,9 @@ Json group_at(Json const& root, std::initializer_list<std::string> path)
 std::vector<Json> groups_of(Json const& group, std::string_view beginning)
 {
     std::vector<Json> found;
-    Json const groups = group.value("groups", Json::object());
-    for (auto const& [name, each] : groups.items())
+    if (!group.contains("groups"))
+        return found;
+    for (auto const& [name, each] : group.at("groups").items())
         if (name.starts_with(beginning))
             found.push_back(each);
     return found;

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -137,7 +136,7 @@ std::string errors_of_transmission(Json const& running)
 
 std::string efficiencies(Json const& losses)
 {
-    constexpr double percent = 0.01, rpm = 2 * std::numbers::pi / 60;
+    constexpr double percent = 0.01;
     std::vector<double> const torque = column_of(losses, "torque", newton_metre),
                               speed = column_of(losses, "speed", rpm),
                               temperature = column_of(losses, "temperature", 1),

@@ -134,7 +134,7 @@ std::string summary_json(LoadStudy const& study, std::vector<WrittenFile> const&
 
 std::string summary_json(Measurement const& measured)
 {
-    return report::measured_object(measured).dump(2);
+    return report::indented(report::measured_object(measured));
 }
 
 }  // namespace hdconj

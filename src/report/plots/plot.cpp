@@ -28,6 +28,12 @@ std::string one_line(std::string_view text, char quote, std::string_view replace
     return line;
 }
 
+/// As gnuplot writes a number, or one that is not there.
+std::string gnuplot_number(double value)
+{
+    return std::isfinite(value) ? fmt::format("{:.8g}", value) : "NaN";
+}
+
 std::string_view template_text(std::string_view name)
 {
     for (auto const& each : plot_templates)
@@ -52,8 +58,8 @@ void PlotColumns::add(std::initializer_list<double> values)
 {
     char const* between = "";
     for (double const value : values) {
-        std::string number = std::isfinite(value) ? fmt::format("{:.8g}", value) : "NaN";
-        // gnuplot takes no number from a text such as 5e-06, but from 5.0e-06
+        std::string number = gnuplot_number(value);
+        // of data gnuplot takes no number from a text such as 5e-06, but from 5.0e-06
         if (auto const exponent = number.find('e'); exponent != std::string::npos && number.find('.') > exponent)
             number.insert(exponent, ".0");
         text_ += between + number;
@@ -68,7 +74,7 @@ void PlotColumns::add(std::string_view text)
 
 void PlotData::set(std::string_view name, double value)
 {
-    commands_ += fmt::format("{} = {:.8g}\n", name, value);
+    commands_ += fmt::format("{} = {}\n", name, gnuplot_number(value));
 }
 
 void PlotData::set(std::string_view name, std::string_view text)

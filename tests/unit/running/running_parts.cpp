@@ -363,6 +363,26 @@ RunSequence turn_of_82(Function error)
 
 }  // namespace
 
+TEST_CASE("a turn that does not close and lacks its first position has errors all the same", "[running]")
+{
+    Drive drive;
+    drive.flexspline_teeth = 80;
+    drive.circular_spline_teeth = 82;
+    running::RunningMotion const motion(drive, RunningMember::flexspline);
+    running::SpanPlan plan = running::whole_pitch_plan(RunSpan::input_turn, 82, 256);
+    plan.closed = false;
+    auto const turn_at = [](double pitches) { return 1e-5 * std::sin(pitches); };
+    RunSequence turn = running::first_contacts(plan, motion, turn_at, {});
+    RunSequence const between = running::first_contacts(running::places_between(plan), motion, turn_at, {});
+    turn.positions.erase(turn.positions.begin());
+    running::add_shape_error(turn, 1e-12);
+    running::add_places_between(turn, between, plan, motion);
+    CHECK(turn.estimated);
+    CHECK(turn.peak_to_peak_error > 0);
+    CHECK(turn.peak_to_peak_error < 1e-4);
+    CHECK(std::isfinite(turn.rms_error));
+}
+
 TEST_CASE("the errors of a turn hold what lies between whole pitches", "[running]")
 {
     // Of each pitch the tooth that stands out most leads, as one of the first contacts of a ring with pitch errors.
