@@ -186,6 +186,7 @@ void describe_program(CLI::App& program)
         return "hdconj " + std::string(program_version()) + " (" + std::string(git_revision()) + ")\n" +
                std::string(build_description());
     });
+    program.require_subcommand(0, 1);  // a scene may have the name of a verb
     program.footer(examples);
     program.get_formatter()->column_width(34);
 }

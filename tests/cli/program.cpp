@@ -65,6 +65,7 @@ TEST_CASE("a wrong command line is refused", "[program]")
     check_bad_input(hdconj_run("drive.toml"), "after the verb");
     check_bad_input(hdconj_run("check --bogus"), "--bogus");
     check_bad_input(hdconj_run("check a.toml b.toml"), "b.toml");
+    check_bad_input(hdconj_run("check a.toml solve"), "'a.toml' was taken for it");
     check_bad_input(hdconj_run("contact --tilt 0.1 0.2 a.toml"),
                     "'0.2' was taken for it. A list is one word with commas");
     check_bad_input(hdconj_run("check --set"), "--set");
@@ -94,6 +95,13 @@ TEST_CASE("the scene may stand behind a list, and an option of lists be given tw
     CHECK(given.status == done);
     CHECK(nlohmann::json::parse(given.out)["contact"]["cases"].size() == 3);
     CHECK(hdconj_run("wedm --dialect dxf drive.toml --quiet", folder.path()).status == done);
+}
+
+TEST_CASE("a scene may have the name of a verb", "[program]")
+{
+    TemporaryFolder const folder;
+    CHECK(hdconj_run("init solve", folder.path()).status == done);
+    CHECK(contains(hdconj_run("check solve", folder.path()).out, "will be computed"));
 }
 
 TEST_CASE("init writes the built-in scene and never over a file", "[program]")
