@@ -113,7 +113,8 @@ numeric::Complementarity contact_problem(ElasticDrive const& drive, LinearGaps c
     VectorXd lever = VectorXd::Zero(count);
     for (std::size_t i = 0; i < flanks; ++i) {
         FlankContact const& c = gaps.contacts[i];
-        problem.approach(static_cast<Index>(i)) = -(c.gap + gaps.displacement[i] + c.lever * gaps.turn);
+        problem.approach(static_cast<Index>(i)) =
+            -(c.gap + gaps.displacement[i] + gaps.compliance.offset[i] + c.lever * gaps.turn);
         lever(static_cast<Index>(i)) = c.lever;
     }
     for (std::size_t i = 0; i < nodes.size(); ++i)

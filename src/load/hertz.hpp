@@ -52,6 +52,22 @@ struct LineContact
     return half_width(c, q) > elastic_half_width(c, q);
 }
 
+/// How far the surface of a body that flows gives way [mm]: as much as parabolas of the relative curvature overlap
+/// between the strip's own half width and the elastic one, kappa (a^2 - a_el^2)/2. 0 where none flows.
+[[nodiscard]] inline double indentation(LineContact const& c, double q)
+{
+    double const elastic = elastic_half_width(c, q), flown = half_width(c, q);
+    return 0.5 * c.curvature * (flown * flown - elastic * elastic);
+}
+
+/// d indentation/dq [mm per N/mm].
+[[nodiscard]] inline double indentation_slope(LineContact const& c, double q)
+{
+    return flows(c, q) ? 0.25 * c.curvature * q / (c.flow_pressure * c.flow_pressure) -
+                             2 / (std::numbers::pi * contact_modulus(c))
+                       : 0;
+}
+
 /// Largest pressure 2 q/(pi a) [MPa] of the ellipse (Hertz) over the strip. Where a body flows it is 4/pi of the flow
 /// pressure, its value at the first flow. There the pressure flattens towards its mean, which is the flow pressure: the
 /// result is an upper bound.
@@ -63,9 +79,8 @@ struct LineContact
 /// Approach of the points `depth` below the surfaces [mm]: q/(pi E') (2 ln(2 d/a) - nu/(1 - nu)) of each body (Johnson,
 /// Contact Mechanics, 5.58 with both half-spaces cut at the depth d).
 ///
-/// Where a body flows, its surface gives way by as much as parabolas of the relative curvature overlap between the
-/// strip's own half width and the elastic one, kappa (a^2 - a_el^2)/2: continuous with its first load, and quadratic in
-/// q. The loading is the first; what is left after it is not told.
+/// Where a body flows, indentation() is added: continuous with its first load, and quadratic in q. The loading is the
+/// first; what is left after it is not told.
 ///
 /// Where the strip grows as wide as the depth the formula has left its domain (a << d); a is not taken above d/2 there,
 /// so that the approach goes on growing. Accuracy of the law itself: a few per cent for a < d/4.
@@ -73,14 +88,12 @@ struct LineContact
 {
     if (q <= 0)
         return 0;
-    double const elastic = elastic_half_width(c, q), flown = half_width(c, q);
-    double const a = std::min(elastic, 0.5 * c.depth);
-    double const indentation = 0.5 * c.curvature * (flown * flown - elastic * elastic);
+    double const a = std::min(elastic_half_width(c, q), 0.5 * c.depth);
     auto const of = [&](elastic::Elasticity const& body) {
         double const nu = body.poissons_ratio;
         return q / (std::numbers::pi * plane_strain_modulus(body)) * (2 * std::log(2 * c.depth / a) - nu / (1 - nu));
     };
-    return of(c.first) + of(c.second) + indentation;
+    return of(c.first) + of(c.second) + indentation(c, q);
 }
 
 /// What one N/mm lets a point of the surfaces approach at the distance @p x beside its line [mm per N/mm]: 1/(pi E')

@@ -39,7 +39,7 @@ std::vector<double> LocalCompliance::operator()(std::vector<double> const& force
 {
     std::vector<double> approach(force.size());
     for (std::size_t i = 0; i < force.size(); ++i)
-        approach[i] = own[i] * force[i];
+        approach[i] = offset[i] + own[i] * force[i];
     for (Coupling const& c : couplings) {
         approach[c.first] += c.compliance * force[c.second];
         approach[c.second] += c.compliance * force[c.first];
@@ -70,7 +70,13 @@ LocalCompliance local_compliance(ElasticDrive const& drive, std::vector<FlankCon
             first = i;
             coupling = result.couplings.size();
         }
-        result.own.push_back((approach(drive.line_contact(c), load(i)) / load(i) + bending(c, c)) / width(c));
+        LineContact const line = drive.line_contact(c);
+        // The tangent lies below the law: along it a contact without force that stands off would get one.
+        bool const carries = force[i] > 0;
+        double const q = load(i), indented = carries ? indentation(line, q) : 0,
+                     slope = carries ? indentation_slope(line, q) : 0;
+        result.own.push_back(((approach(line, q) - indented) / q + slope + bending(c, c)) / width(c));
+        result.offset.push_back(indented - slope * q);
         for (std::size_t j = i; j-- > first;) {
             FlankContact const& other = contacts[j];
             if (other.tooth != c.tooth)

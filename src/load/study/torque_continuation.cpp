@@ -198,7 +198,7 @@ LoadedDrive converged_at(LoadProblem const& problem, double torque, LoadedDrive 
         ErrorCode::not_converged, "load", place_of(torque),
         "forces and loaded shape do not converge: after " + std::to_string(drive.iterations) + " iterations " + how_far,
         problem.drive.flow_pressure < std::numeric_limits<double>::infinity()
-            ? "write a larger flow.pressure, or remove [flow]"
+            ? "remove [flow], or write a much larger flow.pressure"
             : "write a larger load.edge_radius, or another circular_spline.backlash_offset");
 }
 

@@ -112,6 +112,7 @@ void randomise(std::mt19937& random, Problem& p)
         p.gaps.contacts.push_back(c);
         p.gaps.displacement.push_back(between(-0.01, 0.01));
         p.gaps.compliance.own.push_back(between(1e-6, 1e-5));
+        p.gaps.compliance.offset.push_back(between(-0.002, 0));
         if (i > 0 && unit(random) < 0.3)
             p.gaps.compliance.couplings.push_back(
                 {static_cast<std::size_t>(i - 1), static_cast<std::size_t>(i), 0.5e-6});
@@ -299,6 +300,7 @@ TEST_CASE("what a problem begins with changes no bit of its answer", "[load]")
             gaps.contacts.push_back(c);
             gaps.displacement.push_back(0);
             gaps.compliance.own.push_back(1e-5);
+            gaps.compliance.offset.push_back(0);
         }
         load::Equilibrium unloaded = free;
         unloaded.flank.assign(gaps.contacts.size(), 0);

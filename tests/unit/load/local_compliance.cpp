@@ -99,6 +99,29 @@ TEST_CASE("a strip gives way beside itself as a half-plane under a line load doe
     CHECK(approach_beside(c, 10, a) >= 0);
 }
 
+TEST_CASE("a strip that flows gives way along the tangent of its law, one that does not along the secant", "[load]")
+{
+    load::ElasticDrive drive;
+    drive.flexspline = drive.circular_spline = steel;
+    drive.contact_depth = 0.2;
+    drive.slice_width = {0.7};
+    drive.flow_pressure = 2000;
+    load::FlankContact strip;
+    strip.curvature = 5;
+    load::LineContact const line = drive.line_contact(strip);
+    for (double const q : {1.0, 50.0, 200.0, 1000.0, 5000.0}) {
+        CAPTURE(q);
+        double const force = q * drive.slice_width.front(), more = 1e-4 * q;
+        load::LocalCompliance const c = load::local_compliance(drive, {strip}, {force});
+        CHECK(c({force}).front() == Approx(load::approach(line, q)).epsilon(1e-12));
+        CHECK((c.offset.front() < 0) == load::flows(line, q));
+        double const slope = (load::indentation(line, q + more) - load::indentation(line, q - more)) / (2 * more);
+        CHECK(load::indentation_slope(line, q) == Approx(slope).epsilon(1e-6));
+    }
+    CHECK(load::flows(line, 5000));
+    CHECK_FALSE(load::flows(line, 1));
+}
+
 TEST_CASE("strips of one flank give way as a body does, however close they are", "[load]")
 {
     // forces on a body do work, whatever they are: the matrix of its compliance is positive definite
