@@ -53,7 +53,10 @@ BranchWithErrors opposite_branch(contact::ContactContext const& context, PathsOn
         } catch (NumericalError const& error) {
             if (error.code() != ErrorCode::stopped)
                 throw;
-            return {};
+            BranchWithErrors stopped;
+            for (double const torque : opposite.given)
+                stopped.branch.unsettled.push_back({torque, error.cause()});
+            return stopped;
         }
     }
     double const period = 2 * std::numbers::pi / paths.fine.problem.drive.response->sectors();

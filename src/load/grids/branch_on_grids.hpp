@@ -35,8 +35,8 @@ struct PathsOnGrids
 [[nodiscard]] BranchWithErrors solved_branch(PathsOnGrids const& paths, BranchTorques const& torques,
                                              std::function<void(double)> const& on_state);
 
-/// The branch of the opposite torques, as far as the run is not stopped before: solved, or the mirror image of
-/// @p forth.
+/// The branch of the opposite torques: solved, or the mirror image of @p forth. Where the run is stopped before, all
+/// are unsettled.
 /// @param space_angle  of LoadMap
 [[nodiscard]] BranchWithErrors opposite_branch(contact::ContactContext const& context, PathsOnGrids const& paths,
                                                BranchWithErrors const& forth, std::vector<double> const& space_angle,

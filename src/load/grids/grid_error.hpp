@@ -49,7 +49,7 @@ namespace hdconj::load {
                                     double safety);
 
 /// Errors of the states of @p branch.
-/// @param coarser  at least one, each on a grid half as fine as the one before
+/// @param coarser  each on a grid half as fine as the one before; empty: nothing is known
 /// @returns one for each state; none where the first of the coarser grids has no equilibrium
 [[nodiscard]] std::vector<std::optional<LoadedState>> branch_errors(LoadProblem const& problem,
                                                                     TorqueBranch const& branch,

@@ -180,9 +180,10 @@ BranchWithErrors solve_curve(contact::ContactContext const& context, PathsOnGrid
     double const rated = forth.branch.states.back().torque;
     CurveBranches const fine{forth.branch.states, back.branch.states, free_twist(paths.fine, rated)};
     std::vector<CurveBranches> coarser;
-    for (std::size_t g = 0; g < back.coarser.size() && forth.coarser[g].states.back(); ++g)
-        coarser.push_back(
-            {forth.coarser[g].solved(), back.coarser[g].solved(), free_twist(*paths.coarser[g]->path, rated)});
+    for (std::size_t g = 0; g < forth.coarser.size() && forth.coarser[g].states.back(); ++g)
+        coarser.push_back({forth.coarser[g].solved(),
+                           g < back.coarser.size() ? back.coarser[g].solved() : std::vector<LoadedState>(),
+                           free_twist(*paths.coarser[g]->path, rated)});
     double const safety = grid_safety(paths.fine.problem.flanks.slices());
     result.stages = stages_of(fine, coarser, safety);
     LoadedState const& state = forth.branch.states.back();

@@ -236,14 +236,18 @@ LoadingPath loading_path(Scene const& scene, LoadOptions const& options)
         return {{{torque}, false, options.stop}, options.curve};
     int const points = options.points.value_or(scene.load ? scene.load->points : 0);
     LoadingPath path{{{0, torque}, points == 0, options.stop}};
-    for (int i = 1; i < points; ++i)
-        path.forth.given.push_back(torque * i / points);
+    std::vector<double>& given = path.forth.given;
+    auto const add = [&](double each) {
+        if (std::ranges::none_of(given, [each](double other) { return is_same_torque(each, other); }))
+            given.push_back(each);
+    };
     auto const [first, second, lost_motion] = catalogue_torques(scene, torque);
     for (double const named : {first, second, lost_motion})
         if (named < std::abs(torque))
-            path.forth.given.push_back(std::copysign(named, torque));
-    std::ranges::sort(path.forth.given, {}, [](double each) { return std::abs(each); });
-    path.forth.given.erase(std::unique(path.forth.given.begin(), path.forth.given.end()), path.forth.given.end());
+            add(std::copysign(named, torque));
+    for (int i = 1; i < points; ++i)
+        add(torque * i / points);
+    std::ranges::sort(given, {}, [](double each) { return std::abs(each); });
     return path;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bearing_map.hpp"
+#include "hdconj/base/tolerance.hpp"
 #include "hdconj/error.hpp"
 
 namespace hdconj::load {
@@ -121,9 +122,15 @@ double free_twist(TorqueContinuation const& path, double torque)
     return path.pressed ? 0 : std::copysign(0.5 * width_of(path.play), torque);
 }
 
+bool is_same_torque(double a, double b)
+{
+    return std::abs(a - b) <= figure_roundoff * std::abs(a);
+}
+
 LoadedState const* state_at(std::vector<LoadedState> const& branch, double torque)
 {
-    auto const found = std::ranges::find(branch, torque, &LoadedState::torque);
+    auto const found =
+        std::ranges::find_if(branch, [torque](auto const& state) { return is_same_torque(state.torque, torque); });
     return found != branch.end() ? &*found : nullptr;
 }
 

@@ -32,7 +32,7 @@ struct TorqueBranch
 /// Solves a branch. Where it is refined, each interval between two torques is halved until the mean stiffnesses of its
 /// halves agree within a tenth, or until it is 1/64 of the branch. A torque without equilibrium is left out, and the
 /// next starts from the last one that has one.
-/// @param on_state  is told after each torque which fraction of the branch is done; null: nobody
+/// @param on_state  is told with each torque which fraction of the branch was done before; null: nobody
 /// @throws NumericalError of the first torque without equilibrium, or for a stop, where no torque but zero has one
 [[nodiscard]] TorqueBranch torque_branch(TorqueContinuation const& path, BranchTorques const& torques,
                                          std::function<void(double)> const& on_state);
@@ -40,7 +40,10 @@ struct TorqueBranch
 /// Twist without torque on the side of the backlash where a branch of torques of the sign of @p torque begins [rad].
 [[nodiscard]] double free_twist(TorqueContinuation const& path, double torque);
 
-/// The state at @p torque; null: the branch has none.
+/// Whether two torques differ by rounding alone: a chord between them has no slope.
+[[nodiscard]] bool is_same_torque(double a, double b);
+
+/// The state at @p torque, or at the same but for rounding; null: the branch has none.
 [[nodiscard]] LoadedState const* state_at(std::vector<LoadedState> const& branch, double torque);
 
 /// Enters dT/d(twist) into the states of a branch: the parabola twist(torque) through each state and its neighbours.
