@@ -143,7 +143,8 @@ void refuse_foreign_points(PlanePoints const& on, std::vector<PointView> const& 
                                        "axis, the middle of the nominal flanks {} mm",
                                        count, views.size(), short_number(low), short_number(high),
                                        short_number(part.planes.front().reference_radius)),
-                           "give points in mm about the axis of the part, and the part by --part"});
+                           "give points in mm about the axis of the part, most of them on its flanks, and the part by "
+                           "--part"});
 }
 
 void refuse_mixed_teeth(PlanePoints const& on, std::vector<PointView> const& views, PointFile const& measured,

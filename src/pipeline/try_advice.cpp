@@ -143,10 +143,12 @@ class AdviceSearch
         return now_.settings;
     }
 
-    /// Takes the advice of @p note, completed by what it needs to make a drive after that before it; false where it
-    /// makes none.
+    /// Takes the advice of @p note, completed by what it needs to make a drive after that before it; that before it
+    /// where it ends the note too. False where it makes no drive.
     [[nodiscard]] bool keep(Note& note)
     {
+        if (!now_.settings.empty() && find(now_.notes, note.code) == nullptr)
+            write(note, now_.settings);
         Settings const settings = joined(now_.settings, note.set);
         if (settings != now_.settings) {
             auto tried = drive_with(given_, settings);
