@@ -16,7 +16,7 @@ import numpy as np
 
 from . import _core
 from ._arguments import as_changes
-from ._errors import Fault
+from ._errors import Fault, InputError, fault_text
 from ._tree import Group
 
 Value = Union[
@@ -185,8 +185,17 @@ class Scene:
         return self._core.text.removeprefix("\ufeff")
 
     def to_dict(self) -> dict[str, Any]:
-        """The scene as nested dictionaries, changes included; relative file names start at :attr:`folder`."""
-        return tomllib.loads(self.to_toml())
+        """The scene as nested dictionaries, changes included; relative file names start at :attr:`folder`.
+
+        Raises
+        ------
+        InputError
+            The text is no TOML.
+        """
+        try:
+            return tomllib.loads(self.to_toml())
+        except tomllib.TOMLDecodeError:
+            raise InputError(self.check(), fault_text(self.check())) from None
 
     @property
     def name(self) -> str:

@@ -109,6 +109,40 @@ void add_errors(nb::module_&)
     nb::register_exception_translator(translate);
 }
 
+/// The word for what a number of a key is; empty for keys that take no number.
+std::string_view number_word(scene::Quantity quantity)
+{
+    switch (quantity) {
+        case scene::Quantity::length:
+        case scene::Quantity::positive_length:
+        case scene::Quantity::nonnegative_length:
+        case scene::Quantity::length_or_word:
+            return "length";
+        case scene::Quantity::angle_deg:
+            return "angle";
+        case scene::Quantity::number:
+            return "number";
+        case scene::Quantity::count:
+            return "whole number";
+        case scene::Quantity::word:
+        case scene::Quantity::file:
+        case scene::Quantity::rows:
+        case scene::Quantity::text:
+            return "";
+    }
+    return "";
+}
+
+/// Word, unit and expectation of a key; None where no table has it.
+nb::object described(std::string const& path)
+{
+    auto const key = scene::describe_key(path, {profile::profile_families(), wavegen::wave_generator_families()});
+    if (!key)
+        return nb::none();
+    return nb::make_tuple(text_of(std::string(number_word(key->quantity))), text_of(std::string(key->unit)),
+                          text_of(key->expectation));
+}
+
 void add_scene(nb::module_& module)
 {
     nb::class_<SceneHandle>(module, "Scene")
@@ -119,13 +153,7 @@ void add_scene(nb::module_& module)
         .def_prop_ro("files", files_of)
         .def_prop_ro("name", [](SceneHandle const& scene) { return text_of(scene.as_read().drive.name); })
         .def("check_json", check_text, "name"_a, "verb"_a);
-    module.def(
-        "unit_of_key",
-        [](std::string const& path) {
-            return std::string(
-                scene::unit_of_key(path, {profile::profile_families(), wavegen::wave_generator_families()}));
-        },
-        "path"_a);
+    module.def("describe_key", described, "path"_a);
     module.def("keep_elastic_bodies", keep_elastic_bodies, "count"_a);
     module.def("elastic_body_count", [] {
         ElasticBodyCount const count = elastic_body_count();

@@ -73,16 +73,16 @@ def test_arrays_outlive_their_result():
 
 
 @pytest.mark.skipif(UNDER_SANITIZER, reason="the sanitizer takes its own time")
-def test_a_call_costs_50_microseconds_at_most():
-    """The least median of five rounds: other programs and cold memory only add to it."""
+def test_a_call_costs_a_fortieth_of_a_solve_at_most():
+    """50 us where the built-in drive takes 2 ms on one thread. Other programs and cold memory only add to a round."""
     scene = hdconj.Scene().with_({"solver.threads": 1})
 
     def overhead():
         begin = time.perf_counter()
         solution = hdconj.solve(scene)
-        return time.perf_counter() - begin - solution.wall_seconds
+        return (time.perf_counter() - begin) / solution.wall_seconds - 1
 
-    assert min(statistics.median(overhead() for _ in range(200)) for _ in range(5)) < 50e-6
+    assert any(statistics.median(overhead() for _ in range(200)) < 1 / 40 for _ in range(5))
 
 
 def test_eight_threads_at_once_give_the_same_bits():

@@ -721,6 +721,25 @@ def test_survivors_are_those_of_the_study_as_it_is(scheduler, tmp_path, capsys):
     assert "whose error is not known has no rank" in said.err
 
 
+def test_as_many_survive_behind_a_front_of_one(run, tmp_path):
+    """With several objectives the next fronts follow until there are as many as the study asks for."""
+    text = "survivors = 3\n" + TWO.replace("(x - 0.7) ** 2 + (y - 0.6) ** 2", "2 * ((x - 0.3) ** 2 + (y - 0.6) ** 2)")
+    text = text.replace('"min"', '"min"\ng = "min"').replace("[figures]", "[sample]\ncount = 8\n[figures]")
+    found = run(text, tmp_path)
+    assert len(found.best()) == 1
+    again = found.candidates(3)
+    assert again["f"].tolist() == sorted(found.frame["f"])[:3]
+    stored = [row for rows, _ in found._shards("survivors") for row in rows.to_pylist()]
+    assert sorted(row["sample"] for row in stored) == sorted(again["sample"])
+
+
+def test_a_name_with_dollars_is_drawn(run, tmp_path):
+    text = TWO.replace('"min"', '"min"\ng = "max"').replace("[figures]", "[sample]\ncount = 4\n[figures]")
+    text = text.replace('g = "(x - 0.7) ** 2 + (y - 0.6) ** 2"', 'g = { value = "x", unit = "$_a$b_$" }')
+    found = run(text, tmp_path)
+    assert draw_all(found, tmp_path / "pictures")
+
+
 def test_all_of_the_best_are_listed_and_drawn(search, tmp_path):
     """Not the survivors alone, which are computed again."""
     text = HEAD + "survivors = 2\n" + TWO.replace('"min"', '"min"\ng = "min"\nland = "max"')

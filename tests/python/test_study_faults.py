@@ -206,6 +206,9 @@ BAD = [
     (FLANK, FLANK + f'\nx = "{240 * "not "}1"', "more than 100 operations in each other"),
     (FLANK, '"flexspline.wall=3" = { from = 0, to = 1 }', 'vary."flexspline.wall=3": is no path of a key'),
     (FLANK, '"flexspline.wall\\n" = { from = 0, to = 1 }', 'vary."flexspline.wall\\n": is no path of a key'),
+    (FLANK, '"flexspline.wall.x" = { from = 0.6, to = 0.7 }', "vary.flexspline.wall.x = 0.6"),
+    (FLANK, FLANK + '\nx = "0.7 * drive.name"', "vary.x = 0.7 * drive.name: drive.name is no number"),
+    ("[figures]", '[figures]\nbad = "solve.land_width * drive.name"', "drive.name: drive.name is no num"),
     (FLANK, '"." = { from = 0, to = 1 }', 'vary.".": is no path of a key (write words with dots between them'),
     ("[sample]", '[set]\n"drive.name=x" = 3\n[sample]', 'set."drive.name=x": is no path of a key'),
     (FLANK, '"flexspline.wall" = { from = 0.6, to = 0.8, count = 1000000000 }', "a whole number from 2 to 10000000"),
@@ -306,6 +309,31 @@ def test_refused(old, new, said):
     with pytest.raises(hdconj.InputError) as refused:
         study.read_recipe(GOOD.replace(old, new.replace("HUGE", "1" + 400 * "0")))
     assert said in str(refused.value)
+
+
+def test_a_link_is_offered_numbers_each_once():
+    with pytest.raises(hdconj.InputError) as refused:
+        study.read_recipe(GOOD.replace(FLANK, FLANK + '\nx = "2 * qqq"'))
+    (fault,) = refused.value.faults
+    known = fault.remedy.removeprefix("known: ").split(", ")
+    assert len(known) == len(set(known)) and "flexspline.wall" in known
+    assert "x" not in known and "drive.name" not in known
+
+
+def test_a_path_that_is_none_is_told_with_its_line():
+    with pytest.raises(hdconj.InputError) as refused:
+        study.read_recipe(GOOD.replace(FLANK, FLANK + '\n\n"a b" = { list = [1, 2] }'))
+    assert str(refused.value).startswith('line 5: vary."a b": is no path of a key')
+
+
+def test_a_scene_that_is_no_toml_is_told(tmp_path, capsys):
+    (tmp_path / "drive.toml").write_text("[drive\n")
+    (tmp_path / "study.toml").write_text('scene = "drive.toml"' + GOOD + '\nwide = "2 * land"')
+    assert main(["check", str(tmp_path / "study.toml")]) == 2
+    said = capsys.readouterr().err
+    assert "1 fault" in said and "drive.toml" in said and "not TOML" in said
+    with pytest.raises(hdconj.InputError, match="not TOML"):
+        hdconj.Scene.load(tmp_path / "drive.toml").to_dict()
 
 
 def test_the_good_study_is_good():
@@ -622,6 +650,8 @@ def test_a_figure_without_a_value_keeps_the_others():
          f"--scheduler = {address}: is no address of a scheduler (write tcp://HOST:PORT, such as tcp://host:8786)")
         for address in ("bla", "no://bla:1", "tcp://bla")
     ),
+    (["run", "STUDY", "-o", "out", "--jobs", "2147483648"], "--jobs: 2147483648 is more than 2147483647"),
+    (["best", "made", "-n", "2147483648"], "-n: 2147483648 is more than 2147483647"),
     (["best", "made", "-n", "-3"], "-n: -3 is less than one (write a whole number from 1)"),
     (["best", "made", "-n", "1", "--csv", "rows.csv", "--scene", "best.toml"], "nothing says what is better"),
 ])  # fmt: skip
@@ -633,7 +663,11 @@ def test_a_refused_command_writes_nothing(tmp_path, monkeypatch, capsys, words, 
         with _store.Folder("made").locked():
             _store.Folder("made").begin(good, "run")
     before = {file: file.read_bytes() for file in tmp_path.rglob("*") if file.is_file()}
-    assert main([word.replace("STUDY", "study.toml") for word in words]) == 2
+    try:
+        status = main([word.replace("STUDY", "study.toml") for word in words])
+    except SystemExit as refused:  # of the command line
+        status = refused.code
+    assert status == 2
     assert said in capsys.readouterr().err
     assert before == {file: file.read_bytes() for file in tmp_path.rglob("*") if file.is_file()}
 
@@ -705,7 +739,7 @@ def test_a_folder_whose_study_json_is_none_is_refused(tmp_path, capsys, about):
     (tmp_path / "study.json").write_text(about)
     for words in (["status", str(tmp_path)], ["run", str(tmp_path / "study.toml"), "-o", str(tmp_path)]):
         assert main(words) == 2
-        assert "is no folder of a study" in capsys.readouterr().err
+        assert "study.json: is damaged, or none that hdconj study wrote" in capsys.readouterr().err
 
 
 def test_a_folder_that_cannot_be_read_says_why(tmp_path):

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -38,11 +39,18 @@ struct SceneReading
     std::map<std::string, std::string, std::less<>> file_names{};  ///< of CSV files, by the paths of the keys
 };
 
-/// The unit of the numbers that a key takes, as scenes are written: "mm", "deg", or another one such as "N m".
+/// What a key takes.
+struct KeyDescription
+{
+    Quantity quantity;
+    std::string_view unit;    ///< of numbers, as scenes are written: "mm", "deg" or another such as "N m"; empty: none
+    std::string expectation;  ///< what may be written, such as "a length in mm above 0"
+};
+
 /// @param path      of the key, such as "circular_spline.backlash_offset"
 /// @param families  whose keys count too, whichever the scene names
-/// @returns nothing where it takes a number without unit, or no number, and where no table has such a key
-[[nodiscard]] std::string_view unit_of_key(std::string_view path, SceneFamilies const& families);
+/// @returns nothing where no table has such a key
+[[nodiscard]] std::optional<KeyDescription> describe_key(std::string_view path, SceneFamilies const& families);
 
 /// Validates @p root, the top table of a scene.
 /// @param folder  where relative file names start

@@ -15,6 +15,7 @@ from typing import Any
 
 # Of arguments of the functions.
 OPTIONS = {"jobs": "--jobs", "scheduler": "--scheduler", "shard_seconds": "--shard-seconds", "count": "-n"}
+_LARGEST = 2**31 - 1
 PACKAGES = "pip install 'hdconj[study]'"
 
 
@@ -36,7 +37,7 @@ def _parser() -> argparse.ArgumentParser:
         verb.add_argument(
             "-o", dest="folder", metavar="DIR", required=True, help="folder of the results; resumes there"
         )
-        verb.add_argument("--jobs", type=int, default=0, metavar="N", help="processes of this machine; 0: all cores")
+        verb.add_argument("--jobs", type=_whole, default=0, metavar="N", help="processes of this machine; 0: all cores")
         verb.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask scheduler, such as tcp://host:8786")
         verb.add_argument(
             "--shard-seconds", type=float, default=10.0, metavar="S", help="time of one shard, 2 to 60; default 10"
@@ -44,12 +45,23 @@ def _parser() -> argparse.ArgumentParser:
         verb.add_argument("--quiet", action="store_true", help="no progress bar, no summary")
     add("status", "says how far a study is", "DIR")
     best = add("best", "prints the best drives", "DIR")
-    best.add_argument("-n", type=int, default=10, metavar="N", help="how many; default 10")
+    best.add_argument("-n", type=_whole, default=10, metavar="N", help="how many; default 10")
     best.add_argument("--csv", metavar="FILE", help="all rows of the study as text")
     best.add_argument("--scene", metavar="FILE", help="the scene of the first of them")
     picture = add("picture", "draws a study", "DIR")
     picture.add_argument("-o", dest="folder", metavar="FOLDER", help="of the pictures; default DIR/pictures")
     return parser
+
+
+def _whole(text: str) -> int:
+    """A whole number of an option."""
+    if abs(value := int(text)) > _LARGEST:
+        raise argparse.ArgumentTypeError(f"{text} is more than {_LARGEST}")
+    return value
+
+
+def _counted(count: int, word: str) -> str:
+    return f"{count} {word}{'s' * (count != 1)}"
 
 
 def _number(value: Any) -> str:
@@ -203,7 +215,9 @@ def _act(options: argparse.Namespace) -> bool:
             lacks = "lacks a figure" if first.row["code"] == "figure" else "cannot be made"
             said = first.unchecked or f"the drive in the middle {lacks}: {fault}"
             print(f"hdconj study: {said}", file=sys.stderr)
-        print(f"{recipe.drives} drives, {len(recipe.keys)} keys vary, {len(recipe.figures)} figures")
+        keys, figures = len(recipe.keys), len(recipe.figures)
+        vary = f"{_counted(keys, 'key')} {'varies' if keys == 1 else 'vary'}"
+        print(f"{_counted(recipe.drives, 'drive')}, {vary}, {_counted(figures, 'figure')}")
     elif options.verb == "status":
         print_status(open_study(options.what))
     elif options.verb == "best":

@@ -10,10 +10,11 @@ import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, Union
+from typing import Any, NamedTuple, Union
 
 import numpy as np
 
+from .._core import describe_key
 from ._faults import written
 
 Value = Union[bool, int, float, str]
@@ -39,6 +40,19 @@ _GRADES = {
 }
 _BETWEEN = 0.6180339887  # a part of a range that makes a whole number of few ranges
 _TINY = 2.0**-53  # a number from 0 to 1 keeps this far from both
+
+
+class Takes(NamedTuple):
+    """What a key of scenes takes."""
+
+    number: str  # "length", "angle", "number" or "whole number"; empty where it takes none
+    unit: str  # "mm", "deg", or another such as "N m"; empty for none
+    words: str  # what may be written, such as "a length in mm above 0"
+
+
+def takes(path: str) -> Takes:
+    """What the scene's schema says of a key; all empty where no table has it."""
+    return Takes(*(describe_key(path) or ("", "", "")))
 
 
 def is_number(value: object) -> bool:

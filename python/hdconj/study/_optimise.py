@@ -157,7 +157,7 @@ def optimise(
                     )  # fmt: skip
                     told.done += now.done
                     told.failed += now.failed
-                _tell(search, Study(place.place), numbers)
+                _tell(search, Study(place.place, recipe), numbers)
             if recipe.survivors and not recipe.errors:
                 compute_survivors(client, place, recipe, shard_seconds, progress)
         place.note(about)

@@ -155,25 +155,30 @@ def front_picture(study: Study) -> Any:
     figure, panes = _figure(min(len(pairs), 3), -(-len(pairs) // 3))
     for pane in panes.flat[len(pairs) :]:
         pane.set_axis_off()
-    good = study.frame[study.feasible()]
-    poor = study.frame[~study.feasible()]
+    is_good = study.feasible()
+    good, poor = study.frame[is_good], study.frame[study.made(study.frame) & ~is_good]
     front = study.best(max(len(good), 1))
     for (a, b), pane in zip(pairs, panes.flat):
-        pane.plot(poor[a], poor[b], ".", ms=3, color=POOR, label="breaks a constraint" if len(poor) else None)
+        shown = np.ones(len(poor), dtype=bool)  # axes are those of the drives that keep all constraints
+        for name, axis in ((a, "x"), (b, "y")):
+            span = good[name]
+            if len(span) and (width := np.ptp(span)) > 0:
+                low, high = span.min() - 0.08 * width, span.max() + 0.08 * width
+                getattr(pane, f"set_{axis}lim")(low, high)
+                shown &= np.asarray((poor[name] >= low) & (poor[name] <= high))
+            aim = "small" if study.recipe.objectives[name] > 0 else "large"
+            getattr(pane, f"set_{axis}label")(f"{_folded(_label(study, name))}, to be {aim}")
+        if shown.any():
+            pane.plot(poor[a][shown], poor[b][shown], ".", ms=3, color=POOR, label="breaks a constraint")
         pane.plot(good[a], good[b], ".", ms=3, color=GOOD, label="keeps all constraints")
         if study.frame[[a, b]].dropna().empty:
             _say_none(pane)
         ordered = front.sort_values(a)
-        line = "o-" if len(names) == 2 else "o"  # of more objectives no line joins neighbours
-        pane.plot(ordered[a], ordered[b], line, ms=4, lw=0.8, color=BEST, label="beaten by none")
-        for name, axis in ((a, "x"), (b, "y")):
-            span = good[name]
-            if len(span) and np.ptp(span) > 0:
-                margin = 0.08 * np.ptp(span)
-                getattr(pane, f"set_{axis}lim")(span.min() - margin, span.max() + margin)
-            aim = "small" if study.recipe.objectives[name] > 0 else "large"
-            getattr(pane, f"set_{axis}label")(f"{_label(study, name)}, to be {aim}")
-    panes.flat[0].legend(fontsize=7)
+        # no line joins drives of more objectives, or some that differ by less than their errors
+        is_line = len(names) == 2 and (ordered[b].is_monotonic_increasing or ordered[b].is_monotonic_decreasing)
+        pane.plot(ordered[a], ordered[b], "o-" if is_line else "o", ms=4, lw=0.8, color=BEST, label="beaten by none")
+    panes[0, -1].legend(fontsize=7, loc="upper left", bbox_to_anchor=(1, 1))  # beside the drives
+    figure.set_figwidth(figure.get_figwidth() + 1.5)
     return figure
 
 
@@ -267,11 +272,14 @@ PICTURES: dict[str, Callable[[Study], Any]] = {
 
 def draw_all(study: Study, folder: str | os.PathLike[str] | None = None) -> list[Path]:
     """Writes every picture that the study has something for; default into its folder ``pictures``."""
+    from matplotlib import rc_context
+
     place = made_folder(Path(folder) if folder is not None else study.folder.place / "pictures")
     written = []
-    for name, draw in PICTURES.items():
-        figure = draw(study) if len(study.frame) else None
-        if figure is not None:
-            written.append(place / f"{name}.png")
-            write_whole(written[-1], partial(figure.savefig, dpi=_DPI, format="png"))
+    with rc_context({"text.parse_math": False}):  # a $ in a name is no formula
+        for name, draw in PICTURES.items():
+            figure = draw(study) if len(study.frame) else None
+            if figure is not None:
+                written.append(place / f"{name}.png")
+                write_whole(written[-1], partial(figure.savefig, dpi=_DPI, format="png"))
     return written

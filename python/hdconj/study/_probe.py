@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import replace
@@ -14,19 +13,16 @@ from .._errors import Fault, InputError, NumericalError
 from .._scene import Scene
 from ._expression import Expression
 from ._faults import near, short
-from ._keys import Key, Value
+from ._keys import Key, Value, is_number, takes
 from ._options import KEYS, judged, single
 from ._recipe import Recipe, flat
 from ._tables import Reader
 
 
-def _wanted(scene: Scene, name: str) -> str:
-    """What the scene's schema says that a key takes, in words; empty where it takes text or there is no such key."""
-    for fault in scene.with_({name: "?"}).check():
-        match = re.match("write (an? (?:length|angle|number|whole number).*)", fault.remedy)
-        if match and fault.path == name:
-            return match[1].split(", such as ")[0]
-    return ""
+def _has_number(scene: Scene, path: str) -> bool:
+    """Whether a key takes numbers, and this scene may have it: its tooth or wave generator may be of another family."""
+    refused = scene.with_({path: "?"}).check()
+    return bool(takes(path).number) and any(fault.path == path and fault.kind == "value" for fault in refused)
 
 
 def absent_key(scene: Scene, name: str) -> str:
@@ -34,8 +30,7 @@ def absent_key(scene: Scene, name: str) -> str:
 
     No number stands in it: what a key does when it is absent is not always a value of it.
     """
-    wanted = _wanted(scene, name) if "." in name else ""
-    if not wanted:
+    if "." not in name or not _has_number(scene, name):
         return ""
     effects: set[str] = set()
     with suppress(InputError):  # of a scene that these verbs do not take
@@ -45,22 +40,36 @@ def absent_key(scene: Scene, name: str) -> str:
         if f"a table [{table}]" in effects:
             return f"leave the name out: the scene has no [{table}], an effect that this key would switch on"
     page = "docs/reference/scene.md says what holds while it is absent"
-    return f'write "{name}" under [set], {wanted}; {page}'
+    return f'write "{name}" under [set], {takes(name).words}; {page}'
 
 
-def ask_names(reader: Reader, scene: Scene, links: Mapping[str, Expression], known: Mapping[str, Any]) -> None:
-    """Whether links find their names; keys that are refused themselves are not proposed."""
+def ask_names(reader: Reader, recipe: Recipe, links: Mapping[str, Expression]) -> None:
+    """Whether links find their names, and figures numbers; keys that are refused themselves are not proposed."""
     wrong = {fault.path.removeprefix("vary.").removeprefix("scene ") for fault in reader.faults}
-    proposed = [name for name in (*known, *links) if name not in wrong]
+    known, numbers = _known(recipe), _numbers(recipe)
+    for name, figure in recipe.figures:
+        for word in sorted(set(figure.names) & known - numbers - links.keys()):
+            reader.told(f"figures.{name}", f"{word} is no number", "figures compute with numbers", figure.text)
     for path, link in links.items():
-        for name in (name for name in link.names if name not in links):
+        for name in sorted(set(link.names) - links.keys() - numbers):
             if name in known:
-                if not isinstance(known[name], (int, float)):
-                    reader.told(f"vary.{path}", f"{name} is no number", "links compute with numbers", link.text)
-            elif remedy := absent_key(scene, name):
+                reader.told(f"vary.{path}", f"{name} is no number", "links compute with numbers", link.text)
+            elif remedy := absent_key(recipe.scene, name):
                 reader.told(f"vary.{path}", f"{name} is not written in the scene", remedy, link.text)
             else:
+                proposed = sorted({*numbers, *links} - wrong - {path})
                 reader.told(f"vary.{path}", f"unknown name {name}", near(name, proposed), link.text)
+
+
+def _known(recipe: Recipe) -> set[str]:
+    """Names that have a value: keys of the scene, and those that vary."""
+    return {*recipe.base, *recipe.first}
+
+
+def _numbers(recipe: Recipe) -> set[str]:
+    """Those of them that have a number; a key that varies, one at least."""
+    varied = {key.path for key in recipe.keys if any(map(is_number, (*key.values, key.middle)))}
+    return varied | (recipe.constants.keys() - {key.path for key in recipe.keys})
 
 
 def probe(reader: Reader, scene: Scene, recipe: Recipe) -> None:
@@ -109,7 +118,7 @@ def _refuse_without_value(reader: Reader, recipe: Recipe) -> set[str]:
             causes.setdefault(error.place, error.cause.removeprefix(f"{links[error.place]}: "))
             without = list(links).index(error.place)
         valued.update(list(links)[:without])
-    known = {*recipe.base, *recipe.first, *links}  # ask_names() tells of other names
+    known = _numbers(recipe) | links.keys()  # ask_names() tells of other names
     sound = {path for path, link in recipe.links if known.issuperset(link.names)}
     for path in (path for path in causes if path not in valued and path in sound):
         reason = f"has no value in the middle of all that varies nor at an end: {causes[path]}"
@@ -126,11 +135,11 @@ def _refuse_no_length(reader: Reader, key: Key, recipe: Recipe) -> bool:
     """Whether a key has a tolerance of ISO 286 and is no length in mm, of which the scene's schema knows the unit."""
     if key.law != "nominal":
         return False
-    scenes = [recipe.scene, *(scene for _, _, scene in recipe.worded())]  # a word may be a family with that key
-    found = [wanted for scene in scenes if (wanted := _wanted(scene, key.path))]
-    if not found or any(wanted.startswith("a length") for wanted in found):
+    number, _, words = takes(key.path)
+    scenes = (recipe.scene, *(scene for _, _, scene in recipe.worded()))  # a word may be a family with that key
+    if number == "length" or not any(_has_number(scene, key.path) for scene in scenes):
         return False
-    reason = f"tolerances of ISO 286 are those of lengths in mm, and this key takes {found[0]}"
+    reason = f"tolerances of ISO 286 are those of lengths in mm, and this key takes {words}"
     reader.told(f"vary.{key.path}", reason, "write normal = [MEAN, DEVIATION], or from and to")
     return True
 
@@ -147,7 +156,7 @@ def _refuse_link(reader: Reader, fault: Fault, path: str, values: Mapping[str, V
         reason = f"gives {short(given)}{at}: {reason}"
         change = f"change the range{'s' * (len(names) > 1)} of {' and '.join(names)}, or the link"
         remedy = change if names else "change the link"
-        if fault.reason.endswith("belongs"):
+        if not takes(path).number:
             remedy = "links compute numbers: let this key vary by { list = [A, B] }"
     reader.told(f"vary.{path}", reason, remedy, text)
 
@@ -200,12 +209,12 @@ def settled(recipe: Recipe) -> Recipe:
     return replace(recipe, scene=scene, verbs=tuple(verbs))
 
 
-def refuse_unused(reader: Reader, recipe: Recipe, base: Mapping[str, Any]) -> None:
+def refuse_unused(reader: Reader, recipe: Recipe) -> None:
     """A name that no link and no figure uses changes nothing: most often a key of the scene is meant."""
     if any(fault.path.startswith(("vary", "figures")) for fault in reader.faults):
         return  # what uses it may be one of these
     used = {name for _, expression in (*recipe.links, *recipe.figures) for name in expression.names}
-    ends = {path.rpartition(".")[2]: path for path in base}
+    ends = {path.rpartition(".")[2]: path for path in recipe.base}
     for key in recipe.keys:
         if "." not in key.path and key.path not in used:
             close = get_close_matches(key.path, ends, 1, 0.6)

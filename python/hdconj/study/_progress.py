@@ -17,14 +17,13 @@ class Told:
 
     done: int = 0
     failed: int = 0
-    total: int = 0
 
 
 class Progress:
     """A bar of tqdm on a terminal; nothing elsewhere, or where tqdm is not installed."""
 
     def __init__(self, total: int, what: str, shown: bool) -> None:
-        self.told, self.bar = Told(total=total), None
+        self.told, self.bar = Told(), None
         if shown and sys.stderr.isatty() and find_spec("tqdm"):
             from tqdm import tqdm  # type: ignore[import-untyped]
 

@@ -9,11 +9,10 @@ from pathlib import Path
 from typing import Any
 
 from .._errors import Fault, InputError, fault_text
-from .._scene import Scene
 from ._faults import fault_at, lines_of, near, refuse
-from ._keys import MOST, Key, Value
+from ._keys import MOST, Key
 from ._probe import ask_names, ask_verbs, probe, refuse_overridden, refuse_unused, settled
-from ._recipe import Recipe, flat
+from ._recipe import Recipe
 from ._sample import METHODS, sample_count
 from ._tables import Reader
 
@@ -21,11 +20,6 @@ TABLES = ("scene", "set", "vary", "sample", "compute", "figures", "constraints",
 OPTIMISERS = ("nsga2", "cmaes", "random")
 LARGEST_SEED = 10**9
 NO_OBJECTIVES = ("nothing says what is better", 'write [objectives], NAME = "min" or "max"')
-
-
-def _sort_of(key: Key) -> Value:
-    """A value that stands for all of a key: a number where it has one."""
-    return next((value for value in key.values if not isinstance(value, str)), key.middle)
 
 
 def _optimise(reader: Reader) -> dict[str, Any]:
@@ -59,14 +53,6 @@ def _refuse_too_many(reader: Reader, method: str, count: int, keys: tuple[Key, .
         most = 2 ** ((MOST // (len(keys) + 2)).bit_length() - 1)
         reason = f"makes {drives} drives, more than {MOST}"
         reader.told("sample.count", reason, f"write at most {most}", count)
-
-
-def _tables_of(scene: Scene) -> dict[str, Any]:
-    """Keys of a scene, sound or not; empty where its text cannot be read."""
-    try:
-        return flat(scene.to_dict())
-    except tomllib.TOMLDecodeError:
-        return {}
 
 
 def unread_files(recipe: Recipe) -> list[Fault]:
@@ -128,10 +114,10 @@ def _read_tables(reader: Reader, computed: bool) -> Recipe:
     if not computed:
         refuse_overridden(reader, recipe)
         _refuse_unfit_search(reader, recipe)
-    if base := _tables_of(scene):
-        ask_names(reader, scene, links, {**base, **{key.path: _sort_of(key) for key in keys}})
+    if recipe.base:
+        ask_names(reader, recipe, links)
         if not computed:
-            refuse_unused(reader, recipe, base)
+            refuse_unused(reader, recipe)
     ask_verbs(reader, recipe)
     return recipe
 

@@ -13,7 +13,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from .._errors import NumericalError
+from .._errors import InputError, NumericalError
 from .._scene import Scene
 from ._data_files import checksum, contents, renamed
 from ._expression import NO_VALUE, Expression
@@ -72,8 +72,11 @@ class Recipe:
 
     @cached_property
     def base(self) -> dict[str, Any]:
-        """Keys of the scene that all drives share."""
-        return flat(self.scene.to_dict())
+        """Keys of the scene that all drives share; none where its text is no TOML, of which its check tells."""
+        try:
+            return flat(self.scene.to_dict())
+        except InputError:
+            return {}
 
     @cached_property
     def constants(self) -> dict[str, float]:

@@ -251,15 +251,16 @@ def look_for_names(place: Folder, recipe: Recipe, about: dict[str, Any]) -> Call
 
 
 def fault_of(row: Row) -> str:
-    """Why a drive could not be made; empty where it was."""
-    return ": ".join(str(row[word]) for word in ("code", "place", "cause")) if row["code"] else ""
+    """Why a drive could not be made, or which figure it lacks; empty where it was made."""
+    said = ("place", "cause") if row["code"] in ("figure", "link") else ("code", "place", "cause")
+    return ": ".join(str(row[word]) for word in said) if row["code"] else ""
 
 
 def compute_survivors(client: Any, place: Folder, recipe: Recipe, shard_seconds: float, progress: bool) -> Told:
     """Computes the best drives once more, with errors."""
     from ._study import open as open_study
 
-    best = open_study(place.place).best(recipe.survivors, again=False)
+    best = open_study(place.place).candidates(recipe.survivors)
     folder = place.part("survivors")
     chosen: Sequence[int] = sorted(int(number) for number in best["sample"])
     values = {int(row["sample"]): recipe.restored(row) for row in best.to_dict("records")}

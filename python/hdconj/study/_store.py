@@ -53,6 +53,9 @@ class Folder:
             raise refuse(self.place, f"cannot be read: {error.strerror}", "name a folder that you may read") from None
         words = ("kind", "identity", "program")
         if not isinstance(found, dict) or not all(isinstance(found.get(word), str) for word in words):
+            if (self.place / "study.json").is_file():
+                reason = "is damaged, or none that hdconj study wrote"
+                raise refuse(self.place / "study.json", reason, "name another folder")
             raise refuse(self.place, "is no folder of a study", "name what -o of hdconj study run named")
         return found
 

@@ -15,11 +15,10 @@ import numpy as np
 import numpy.typing as npt
 
 from .._arguments import checked
-from .._core import unit_of_key
 from .._files import write_whole
 from .._scene import Scene
 from ._front import dominated
-from ._keys import Value
+from ._keys import Value, takes
 from ._read import load_recipe
 from ._recipe import Recipe
 from ._shards import read_shards, schema_of
@@ -79,7 +78,7 @@ class Study:
     def key_units(self) -> dict[str, str]:
         """Units of the keys that vary or follow from a link, as far as the scene's schema knows one."""
         paths = (*(key.path for key in self.recipe.keys), *(path for path, _ in self.recipe.links))
-        return {path: unit for path in paths if (unit := unit_of_key(path))}
+        return {path: unit for path in paths if (unit := takes(path).unit)}
 
     def to_pandas(self) -> Any:
         """The same as :attr:`frame`."""
@@ -151,27 +150,36 @@ class Study:
             raise refuse("count", f"{count} is less than one", "write a whole number from 1")
         if not self.recipe.objectives:
             raise refuse(self.folder.place, "nothing says what is better", "write [objectives] into its study.toml")
-        rows = self._with_survivors() if again and self.recipe.survivors else self.frame
-        rows = rows[self.feasible(rows)]
-        rows = rows.drop_duplicates([key.path for key in self.recipe.keys])  # lists and steps make a drive again
+        rows = self._rivals(self._with_survivors() if again and self.recipe.survivors else self.frame)
         values, errors = self.objectives(rows)
-        if values.shape[1] > 1:
-            front = ~dominated(values, errors)
-            rows, values = rows[front], values[front]
-            order = np.argsort(values[:, 0], kind="stable")
-            if len(order) > count:  # spread over the front
-                order = order[np.unique(np.linspace(0, len(order) - 1, count).round().astype(int))]
-            return rows.iloc[order].reset_index(drop=True)
-        order = np.argsort(values[:, 0], kind="stable")[:count]
+        order = _leading(values, errors, count)
         chosen = rows.iloc[order].reset_index(drop=True)
-        chosen.insert(0, "rank", pandas.array(_ranks(values[order, 0], errors[order, 0]), dtype="Int64"))
+        if len(self.recipe.objectives) == 1:
+            chosen.insert(0, "rank", pandas.array(_ranks(values[order, 0], errors[order, 0]), dtype="Int64"))
         return chosen
+
+    def candidates(self, count: int) -> Any:
+        """The drives that are computed again with errors: the best.
+
+        With several objectives the front without errors, and as many further fronts behind it as it takes.
+        """
+        rows = self._rivals(self.frame)
+        values, errors = self.objectives(rows)
+        chosen, left = np.empty(0, dtype=int), np.arange(len(rows))
+        while len(left) and len(chosen) < count:
+            front = left[_leading(values[left], errors[left], count - len(chosen))]
+            chosen, left = np.concatenate([chosen, front]), np.setdiff1d(left, front)
+        return rows.iloc[chosen]
+
+    def _rivals(self, rows: Any) -> Any:
+        """Those that keep all constraints, each drive once: lists and steps make one again."""
+        return rows[self.feasible(rows)].drop_duplicates([key.path for key in self.recipe.keys])
 
     def _with_survivors(self) -> Any:
         """All rows; those of the drives that survive as the study is now as they were computed last, with errors."""
         import pandas
 
-        first = self.best(self.recipe.survivors, again=False)["sample"]
+        first = self.candidates(self.recipe.survivors)["sample"]
         second = self._read("survivors")
         if second.empty:  # none yet, or nothing to compute again
             return self.frame
@@ -245,6 +253,17 @@ class Study:
             "worker_seconds": seconds,
             "seconds_left": (total - done) * seconds / done if total and done else None,
         }
+
+
+def _leading(values: Floats, errors: Floats, count: int) -> npt.NDArray[np.intp]:
+    """Numbers of the best rows, at most so many: of one objective the first, of several some all over the front."""
+    order: npt.NDArray[np.intp] = np.argsort(values[:, 0], kind="stable")
+    if values.shape[1] == 1:
+        return order[:count]
+    order = order[~dominated(values, errors)[order]]
+    spread = np.unique(np.linspace(0, len(order) - 1, min(count, len(order))).round().astype(int))
+    order = order[spread]
+    return order
 
 
 def _ranks(values: Floats, errors: Floats) -> list[int | None]:

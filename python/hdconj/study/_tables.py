@@ -69,7 +69,8 @@ class Reader:
                 yield path, item
             else:
                 remedy = 'write words with dots between them, such as "flexspline.wall"'
-                self.told(f"{table}.{json.dumps(path)}", "is no path of a key", remedy)
+                fault = fault_at(self.lines, f"{table}.{path}", "is no path of a key", remedy)
+                self.faults.append(fault._replace(path=f"{table}.{json.dumps(path)}"))
 
     def count(self, table: Mapping[str, Any], path: str, standard: int, least: int = 0, most: int = MOST) -> int:
         """A whole number of a table."""

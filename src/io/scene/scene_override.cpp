@@ -91,8 +91,10 @@ std::optional<Fault> set_value(toml::table& document, std::string const& given, 
     }
     toml::table* const holder = holder_of(document, parts, true);
     if (holder == nullptr) {
-        return fault_of(given, "a part of the key path is a value, not a table",
-                        "write the path of a key, such as flexspline.wall");
+        Fault fault = fault_of(given.substr(0, equals), "a part of the key path is a value, not a table",
+                               "write the path of a key, such as flexspline.wall");
+        fault.kind = FaultKind::unknown;
+        return fault;
     }
     table->get("value")->visit([&](auto& node) { holder->insert_or_assign(parts.back(), std::move(node)); });
     return std::nullopt;

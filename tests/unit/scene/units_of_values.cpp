@@ -109,8 +109,23 @@ TEST_CASE("the unit of a key is that in which scenes state it", "[scene]")
                                     {"flexspline", ""},
                                     {"", ""}}) {
         INFO(key);
-        CHECK(scene::unit_of_key(key, families) == unit);
+        auto const described = scene::describe_key(key, families);
+        CHECK((described ? described->unit : "") == unit);
     }
+}
+
+TEST_CASE("the description of a key says what it takes, as a fault of the scene does", "[scene]")
+{
+    scene::SceneFamilies const families{profile::profile_families(), wavegen::wave_generator_families()};
+    CHECK_FALSE(scene::describe_key("flexspline.unknown", families));
+    CHECK_FALSE(scene::describe_key("flexspline", families));
+    auto const described = scene::describe_key("flexspline.wall", families);
+    REQUIRE(described);
+    CHECK(described->quantity == scene::Quantity::positive_length);
+    CHECK(fault_with("wall", "\"?\"").remedy.starts_with("write " + described->expectation));
+    auto const word = scene::describe_key("circular_spline.backlash_offset", families);
+    REQUIRE(word);
+    CHECK(word->quantity == scene::Quantity::length_or_word);
 }
 
 }  // namespace hdconj::test::units_of_values_cases

@@ -23,18 +23,21 @@ std::string_view unit_of_number(ParameterSpec const& spec)
     return "";
 }
 
-std::string_view unit_of_key(std::string_view path, SceneFamilies const& families)
+std::optional<KeyDescription> describe_key(std::string_view path, SceneFamilies const& families)
 {
     std::size_t const dot = path.rfind('.');
     TableSpec const* const table = find_table(path.substr(0, dot));
     if (!table || dot == std::string_view::npos)
-        return "";
+        return std::nullopt;
     auto const keys = keys_of(*table, families);
     auto const found = std::ranges::find(keys, path.substr(dot + 1), &ParameterSpec::key);
     if (found == keys.end())
-        return "";
+        return std::nullopt;
     ParameterSpec const& spec = **found;
-    return is_length(spec.quantity) ? "mm" : spec.quantity == Quantity::angle_deg ? "deg" : unit_of_number(spec);
+    std::string_view const unit = is_length(spec.quantity)               ? "mm"
+                                  : spec.quantity == Quantity::angle_deg ? "deg"
+                                                                         : unit_of_number(spec);
+    return KeyDescription{spec.quantity, unit, expectation(spec)};
 }
 
 }  // namespace hdconj::scene
