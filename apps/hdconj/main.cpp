@@ -159,6 +159,10 @@ void suggest_options(CLI::App const& program, std::string const& scene)
             std::cerr << "Write --set before each key, such as --set " << given << ".\n";
             return;
         }
+        if (!program.get_subcommands([&](CLI::App const* each) { return each->get_name() == given; }).empty()) {
+            std::cerr << "A command runs one verb: write hdconj " << given << " as a command of its own.\n";
+            return;
+        }
         if (has_scene && !given.starts_with('-')) {
             std::cerr << "One scene is read, and '" << scene
                       << "' was taken for it. A list is one word with commas, such as 0,0.1,0.2.\n";

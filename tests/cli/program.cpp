@@ -65,7 +65,7 @@ TEST_CASE("a wrong command line is refused", "[program]")
     check_bad_input(hdconj_run("drive.toml"), "after the verb");
     check_bad_input(hdconj_run("check --bogus"), "--bogus");
     check_bad_input(hdconj_run("check a.toml b.toml"), "b.toml");
-    check_bad_input(hdconj_run("check a.toml solve"), "'a.toml' was taken for it");
+    check_bad_input(hdconj_run("check a.toml solve"), "write hdconj solve as a command of its own");
     check_bad_input(hdconj_run("contact --tilt 0.1 0.2 a.toml"),
                     "'0.2' was taken for it. A list is one word with commas");
     check_bad_input(hdconj_run("check --set"), "--set");
