@@ -143,8 +143,8 @@ class AdviceSearch
         return now_.settings;
     }
 
-    /// Takes the advice of @p note, completed by what it needs to make a drive after that before it; that before it
-    /// where it ends the note too. False where it makes no drive.
+    /// Adds the advice of @p note to what was advised before, with what the drive then needs beside. Where the advice
+    /// so far ends the note already, the note gets that advice. @returns false where there is no such drive
     [[nodiscard]] bool keep(Note& note)
     {
         if (!now_.settings.empty() && find(now_.notes, note.code) == nullptr)

@@ -281,7 +281,9 @@ TEST_CASE("without losses the efficiency is 1, and a constant loss takes all of 
     CHECK(none.efficiency == 1);
     CHECK(none.input_torque == 10);
     run.torque = 0;
-    CHECK(std::isnan(running::efficiency_at(loss_model({}), run, 100, 40).efficiency));
+    EfficiencyRow const without_power = running::efficiency_at(loss_model({}), run, 100, 40);
+    CHECK(std::isnan(without_power.efficiency));
+    CHECK(std::isnan(without_power.efficiency_error));
     Friction friction;
     friction.seal = 5;
     double last = -1;
