@@ -739,7 +739,7 @@ def test_a_folder_whose_study_json_is_none_is_refused(tmp_path, capsys, about):
     (tmp_path / "study.json").write_text(about)
     for words in (["status", str(tmp_path)], ["run", str(tmp_path / "study.toml"), "-o", str(tmp_path)]):
         assert main(words) == 2
-        assert "study.json: is damaged, or none that hdconj study wrote" in capsys.readouterr().err
+        assert "study.json: is damaged, or was not written by hdconj study" in capsys.readouterr().err
 
 
 def test_a_folder_that_cannot_be_read_says_why(tmp_path):

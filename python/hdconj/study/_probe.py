@@ -147,7 +147,7 @@ def _refuse_no_length(reader: Reader, key: Key, recipe: Recipe) -> bool:
 def _refuse_link(reader: Reader, fault: Fault, path: str, values: Mapping[str, Value], recipe: Recipe) -> None:
     """Tells of a link none of whose values, as far as they were tried, is one that its key takes."""
     text, given = dict(recipe.links)[path].text, values[path]
-    if _wants_whole(path, given, recipe):
+    if _wants_whole(path, given):
         return  # told already
     reason, remedy = fault.reason, fault.remedy
     if fault.kind == "value":
@@ -232,7 +232,7 @@ def _schema_fault(reader: Reader, fault: Fault, key: Key, values: Mapping[str, V
     if not (of_key or fault.path in recipe.varied):
         return
     given = values.get(fault.path, fault.value)
-    if _wants_whole(fault.path, given, recipe):
+    if _wants_whole(fault.path, given):
         reason, remedy = "takes whole numbers only", _whole_remedy(fault.path, recipe)
     elif values[key.path] in key.between or fault.path in dict(recipe.links):
         return  # a drive that cannot be made, as others of the range can
@@ -243,12 +243,9 @@ def _schema_fault(reader: Reader, fault: Fault, key: Key, values: Mapping[str, V
         reader.told(place, reason, remedy, given)
 
 
-def _wants_whole(path: str, value: object, recipe: Recipe) -> bool:
+def _wants_whole(path: str, value: object) -> bool:
     """Whether a key refuses a value because it is not whole."""
-    if not isinstance(value, float) or value.is_integer():
-        return False
-    near_it = (round(value) + part for part in (0, 0.25, -0.25))
-    return [_takes(recipe.scene_of({path: each}), path) for each in near_it] == [True, False, False]
+    return takes(path).number == "whole number" and isinstance(value, float) and not value.is_integer()
 
 
 def _whole_remedy(path: str, recipe: Recipe) -> str:
@@ -262,8 +259,3 @@ def _whole_remedy(path: str, recipe: Recipe) -> str:
         return f'let a name vary in its place, such as x, and write "{path}" = "round(x)"'
     low, high, step = map(round, (*key.numbers, 1)[:3])
     return f"write from = {low}, to = {max(high, low + 1)}, step = {max(step, 1)}"
-
-
-def _takes(scene: Scene, path: str) -> bool:
-    """Whether the scene's value of that key is one that the key takes in some scene."""
-    return all(fault.path != path or fault.kind == "other" for fault in scene.check())

@@ -54,7 +54,7 @@ class Folder:
         words = ("kind", "identity", "program")
         if not isinstance(found, dict) or not all(isinstance(found.get(word), str) for word in words):
             if (self.place / "study.json").is_file():
-                reason = "is damaged, or none that hdconj study wrote"
+                reason = "is damaged, or was not written by hdconj study"
                 raise refuse(self.place / "study.json", reason, "name another folder")
             raise refuse(self.place, "is no folder of a study", "name what -o of hdconj study run named")
         return found

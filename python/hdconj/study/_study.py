@@ -129,7 +129,7 @@ class Study:
         return values, errors
 
     @checked
-    def best(self, count: int = 10, *, again: bool = True) -> Any:
+    def best(self, count: int = 10) -> Any:
         """The best drives as a ``pandas.DataFrame``, best first; each once, however often it was computed.
 
         With one objective the column ``rank`` is the same for drives whose difference to the first of them does not
@@ -140,9 +140,7 @@ class Study:
         Parameters
         ----------
         count : int
-            How many at most.
-        again : bool
-            Take the figures of survivors from their second computation, with errors; the others have none.
+            How many at most. Survivors have the figures of their second computation, with errors; others have none.
         """
         import pandas
 
@@ -150,7 +148,7 @@ class Study:
             raise refuse("count", f"{count} is less than one", "write a whole number from 1")
         if not self.recipe.objectives:
             raise refuse(self.folder.place, "nothing says what is better", "write [objectives] into its study.toml")
-        rows = self._rivals(self._with_survivors() if again and self.recipe.survivors else self.frame)
+        rows = self._rivals(self._with_survivors() if self.recipe.survivors else self.frame)
         values, errors = self.objectives(rows)
         order = _leading(values, errors, count)
         chosen = rows.iloc[order].reset_index(drop=True)
@@ -172,7 +170,7 @@ class Study:
         return rows.iloc[chosen]
 
     def _rivals(self, rows: Any) -> Any:
-        """Those that keep all constraints, each drive once: lists and steps make one again."""
+        """Those that keep all constraints, each drive once: lists and steps may make the same drive twice."""
         return rows[self.feasible(rows)].drop_duplicates([key.path for key in self.recipe.keys])
 
     def _with_survivors(self) -> Any:
