@@ -40,6 +40,30 @@ def report(name, *words):
     return file
 
 
+# Keeps what the page has still to do, its timers and frames, and tells when nothing is left, two frames on at least.
+WAITING = """(() => {
+  const waiting = new Set(), later = window.setTimeout.bind(window), soon = window.requestAnimationFrame.bind(window);
+  window.idle = () => new Promise(done => {
+    const look = () => waiting.size ? later(look, 20) : done();
+    soon(() => soon(look));
+  });
+  for (const [start, stop] of [["setTimeout", "clearTimeout"], ["requestAnimationFrame", "cancelAnimationFrame"]]) {
+    const begin = window[start].bind(window), end = window[stop].bind(window);
+    window[start] = (act, ...given) => {
+      const key = begin((...told) => {
+        waiting.delete(start + key);
+        act(...told);
+      }, ...given);
+      waiting.add(start + key);
+      return key;
+    };
+    window[stop] = key => {
+      waiting.delete(start + key);
+      end(key);
+    };
+  }
+})()"""
+
 # Counts what is drawn, and keeps the times between frames [ms] and the work that each says it took.
 COUNTING = """() => {
   let calls = 0, points = 0;
@@ -49,14 +73,14 @@ COUNTING = """() => {
   };
   for (const name of ["fill", "stroke", "fillRect"]) count(CanvasRenderingContext2D.prototype, name, () => ++calls);
   for (const of of [CanvasRenderingContext2D.prototype, Path2D.prototype]) count(of, "lineTo", () => ++points);
-  window.watchFrames = (seconds, done) => {
+  window.watchFrames = (many, done) => {
     const canvas = document.querySelector("canvas.mesh"), before = Number(canvas.dataset.frames);
     const times = [], work = [];
     calls = points = 0;
     const frame = now => {
       times.push(now);
       work.push(Number(canvas.dataset.work));
-      if (now - times[0] < 1000 * seconds) requestAnimationFrame(frame);
+      if (Number(canvas.dataset.frames) < before + many) requestAnimationFrame(frame);
       else done([Number(canvas.dataset.frames) - before, calls, points, times.slice(1).map((t, i) => t - times[i]),
         work]);
     };
@@ -130,7 +154,8 @@ class Page:
 
     def __init__(self, file, hash_="", **options):
         self.context = BROWSER.new_context(**{"viewport": {"width": 1200, "height": 900}, **options})
-        self.context.set_default_timeout(120_000)  # [ms], beside other tests
+        self.context.set_default_timeout(240_000)  # [ms], beside other tests
+        self.context.add_init_script(WAITING)
         self.page = self.context.new_page()
         self.said, self.asked = [], []
         self.page.on("console", lambda message: self.said.append(message.text))
@@ -150,7 +175,13 @@ class Page:
 
 
 def settled(page):
+    """Waits until the page has measured its gap and has nothing left to do."""
     page.wait_for_selector("[data-gap]:not([data-gap=''])")
+    idle(page)
+
+
+def idle(page):
+    page.evaluate("idle()")
 
 
 def see(page, section):
@@ -166,7 +197,7 @@ class Reports(unittest.TestCase):
             with opened as page:
                 for section in page.locator("main > section[id]").all():
                     see(page, section.get_attribute("id"))
-                page.wait_for_timeout(200)
+                idle(page)
             self.assertEqual(opened.said, [])
             self.assertEqual(opened.strangers, [])
             self.assertEqual(len(opened.asked), 1)
@@ -181,7 +212,7 @@ class Reports(unittest.TestCase):
         with Page(contact_page()) as page:
             for i, state in enumerate(states):
                 page.locator("label:has-text('Computed at') select").select_option(index=i)
-                page.wait_for_timeout(600)
+                idle(page)
                 values = dict(page.locator(".computed tr").evaluate_all(
                     "all => all.map(each => [each.dataset.name, each.dataset.value])"))
                 shown = page.locator(".computed tr[data-name=smallest_gap] td").first.inner_text()
@@ -221,22 +252,22 @@ class Reports(unittest.TestCase):
             page.mouse.down()
             page.mouse.move(middle[0] + 150, middle[1], steps=8)
             page.mouse.up()
-            page.wait_for_timeout(300)
+            idle(page)
             angle = float(page.evaluate("new URLSearchParams(location.hash.slice(1)).get('a')"))
             self.assertAlmostEqual(angle, 90, delta=0.5)
             page.mouse.wheel(0, -800)
-            page.wait_for_timeout(300)
+            idle(page)
             self.assertLess(float(page.evaluate("new URLSearchParams(location.hash.slice(1)).get('vw')")), 30)
             canvas.focus()
             page.keyboard.press("1")
             page.keyboard.press("ArrowRight")
-            page.wait_for_timeout(300)
+            idle(page)
             hash_ = page.evaluate("location.hash")
             slider = page.locator("#mesh input[type=range]").first
             self.assertAlmostEqual(float(slider.input_value()), angle + 1, delta=0.02)
             slider.fill("12.5")
             page.mouse.move(middle[0], middle[1])
-            page.wait_for_timeout(300)
+            idle(page)
             self.assertIn("12.50", page.locator("#mesh output").first.inner_text())
         with Page(contact_page(), hash_) as page:
             self.assertAlmostEqual(float(page.locator("#mesh input[type=range]").first.input_value()), angle + 1,
@@ -333,7 +364,7 @@ class Reports(unittest.TestCase):
                 page.get_by_role("button", name="Turned to contact").click()
                 for k, gap in enumerate(gaps):
                     page.locator("label:has-text('Slice') select").select_option(index=k)
-                    page.wait_for_timeout(400)
+                    idle(page)
                     measured = float(page.locator("[data-gap]").first.get_attribute("data-gap"))
                     self.assertAlmostEqual(measured, gap, delta=0.02)  # [um]
 
@@ -453,7 +484,7 @@ class Reports(unittest.TestCase):
             least = []
             for k in range(gaps.shape[2]):
                 slices.select_option(index=k)
-                page.wait_for_timeout(500)
+                idle(page)
                 least.append(float(page.locator("[data-gap]").first.get_attribute("data-gap")) / 1000)
             # away from sharp edges, which the load rounds: there the tooth enters the flank by the Hertz approach
             self.assertAlmostEqual(least[-1], gaps[:, :, -1].min(), delta=5e-6)
@@ -469,7 +500,7 @@ class Reports(unittest.TestCase):
     def test_colours_of_both_sides_of_the_lobe_are_alike(self):
         with Page(report("solved", TYPE_50), "#a=0&vx=0&vy=24.6&vw=6") as page:
             settled(page)
-            page.wait_for_timeout(1500)
+            idle(page)
             differ = page.evaluate("""() => {
               const canvas = document.querySelector("canvas.mesh"), w = canvas.width, h = canvas.height - 60;
               const data = canvas.getContext("2d").getImageData(0, 0, w, h).data;
@@ -601,7 +632,7 @@ class Reports(unittest.TestCase):
             self.assertEqual(forces.count(), 2)  # of teeth and of the bearing
             forces.first.scroll_into_view_if_needed()
             forces.first.locator(".u-over").hover()
-            page.wait_for_timeout(100)
+            idle(page)
             self.assertIn("±", forces.first.locator(".u-legend").inner_text())
             pressure, *others = [each.inner_text() for each in page.locator("#load .legend:has(.bar)").all()]
             self.assertIn("MPa, not determined", pressure)  # it is on an edge
@@ -659,18 +690,18 @@ class Reports(unittest.TestCase):
             page.mouse.down()
             page.mouse.move(x(0.75), y, steps=5)
             page.mouse.up()
-            page.wait_for_timeout(100)
+            idle(page)
             near, far = curve.evaluate(ends)
             self.assertAlmostEqual(near, low + 0.25 * (high - low), delta=0.01 * (high - low))
             self.assertAlmostEqual(far, low + 0.75 * (high - low), delta=0.01 * (high - low))
             page.mouse.dblclick(x(0.5), y)
-            page.wait_for_timeout(100)
+            idle(page)
             self.assertEqual(curve.evaluate(ends), whole)
             values = curve.evaluate("each => Array.from(each.plot.data[0])")
             curve.evaluate("each => { each.plot.setCursor({left: -10, top: -10}); each.focus(); }")
             for value in values[:2]:
                 page.keyboard.press("ArrowRight")
-                page.wait_for_timeout(100)
+                idle(page)
                 self.assertAlmostEqual(float(curve.locator(".u-legend .u-value").first.inner_text()), value, places=6)
 
     def test_tap_reads_a_curve(self):
@@ -678,7 +709,7 @@ class Reports(unittest.TestCase):
             see(page, "load")
             curve = page.locator("#load .curves").first
             curve.locator(".u-over").tap()
-            page.wait_for_timeout(100)
+            idle(page)
             self.assertIn("±", curve.locator(".u-legend").inner_text())
 
     def test_gaps_and_wire_without_scripts(self):
@@ -811,10 +842,9 @@ class Reports(unittest.TestCase):
             settled(page)
             page.evaluate(COUNTING)
             page.get_by_role("button", name="Play").click()
-            page.wait_for_timeout(2500)  # until all colours are known
-            frames, calls, points, intervals, work = page.evaluate(
-                "seconds => new Promise(done => watchFrames(seconds, done))", 4)
-        self.assertGreater(frames, 10)
+            watch = "many => new Promise(done => watchFrames(many, done))"
+            page.evaluate(watch, 60)  # until all colours are known
+            frames, calls, points, intervals, work = page.evaluate(watch, 80)
         per_frame = {"calls": calls / frames, "points": points / frames}
         print(f"a frame of 404 teeth: {per_frame['calls']:.0f} fills and strokes of {per_frame['points']:.0f} points")
         intervals.sort()
@@ -832,7 +862,7 @@ class Reports(unittest.TestCase):
             spot = page.locator("#wedm li button")
             if spot.count():
                 spot.first.click()
-                page.wait_for_timeout(300)
+                idle(page)
                 self.assertNotEqual(page.evaluate("location.hash"), before)
 
 
@@ -842,12 +872,12 @@ class Reports(unittest.TestCase):
             see(page, "wedm")
             face = page.locator("#wedm label:has-text('Face') select")
             page.locator("#wedm li:has-text('upper') button").first.click()
-            page.wait_for_timeout(300)
+            idle(page)
             self.assertEqual(face.input_value(), "upper")
             picture = "document.querySelector('#wedm canvas').toDataURL()"
             upper = page.evaluate(picture)
             face.select_option("lower")
-            page.wait_for_timeout(300)
+            idle(page)
             self.assertNotEqual(page.evaluate(picture), upper)
         flexspline = ("--set", "wedm.part=flexspline", "--set", "wedm.overlap=0.05")
         with Page(report("set-ups", TYPE_50, *flexspline, "--with", "wedm")) as page:
@@ -873,11 +903,11 @@ class Reports(unittest.TestCase):
                     drives.select_option(index=1)
                     settled(page)
                     act()
-                    page.wait_for_timeout(1500)
+                    idle(page)
                     views.append(page.evaluate(whole))
                 self.assertEqual(views[0] != views[1], kept)
                 page.get_by_role("button", name="One tooth").click()
-                page.wait_for_timeout(300)
+                idle(page)
                 self.assertLess(float(page.evaluate(width)), 2)
 
     def test_scale_bar_of_a_small_cup_fits(self):
