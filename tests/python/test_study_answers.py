@@ -718,6 +718,7 @@ def test_survivors_are_those_of_the_study_as_it_is(scheduler, tmp_path, capsys):
     print_table(best)
     said = capsys.readouterr()
     assert [line.split()[0] for line in said.out.splitlines()[3:]] == ["-"] * 3
+    assert "units: wave_generator.radial_deformation [mm], area [mm^2]\n" in said.err
     assert "whose error is not known has no rank" in said.err
 
 

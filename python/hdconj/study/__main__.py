@@ -127,12 +127,15 @@ def print_best(study: Any, options: argparse.Namespace) -> bool:
 
 
 def print_table(table: Any) -> None:
-    """Prints the best drives, without ranks and errors where none is known."""
+    """Prints the best drives, without ranks and errors where none is known, and says the units."""
     unsure = [name for name in table.columns if name == "rank" or name.endswith("_error")]
     empty = [name for name in unsure if table[name].isna().all()]
     ranks = {"rank": table["rank"].astype(float)} if "rank" in table else {}
     shown = table.assign(**ranks).drop(columns=[*empty, "code", "stage", "place", "cause"])
     print(shown.to_string(index=False, float_format=_number, na_rep="-"))
+    units = [f"{name} [{unit}]" for name, unit in table.attrs["units"].items() if unit and name in shown]
+    if units:
+        print(f"hdconj study: units: {', '.join(units)}", file=sys.stderr)
     if "rank" in table and table["rank"].isna().any():
         said = "a drive whose error is not known has no rank (errors = true or survivors under [compute] estimate it)"
         print(f"hdconj study: {said}", file=sys.stderr)

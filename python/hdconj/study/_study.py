@@ -135,7 +135,7 @@ class Study:
         With one objective the column ``rank`` is the same for drives whose difference to the first of them does not
         exceed the errors of both; it is empty where the error of a drive is not known. With several the drives are
         those that no other one beats by more than the errors of both. An error that is not known counts there as the
-        largest known one of its objective, and as 0 where none is known.
+        largest known one of its objective, and as 0 where none is known. Its ``attrs["units"]`` has the units.
 
         Parameters
         ----------
@@ -154,6 +154,7 @@ class Study:
         chosen = rows.iloc[order].reset_index(drop=True)
         if len(self.recipe.objectives) == 1:
             chosen.insert(0, "rank", pandas.array(_ranks(values[order, 0], errors[order, 0]), dtype="Int64"))
+        chosen.attrs["units"] = self.frame.attrs["units"]
         return chosen
 
     def candidates(self, count: int) -> Any:
