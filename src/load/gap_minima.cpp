@@ -6,42 +6,16 @@
 #include <limits>
 
 #include "hdconj/base/rigid_motion.hpp"
-#include "hdconj/base/tolerance.hpp"
+#include "hdconj/numeric/bracketed_root.hpp"
 
 namespace hdconj::load {
 namespace {
 
-/// Place in a stretch between two points where the slope is zero, from negative at 0 to positive at 1 (regula falsi,
-/// Illinois).
-FlankCurve::Place turning_place(FlankView const& view, std::size_t stretch, double low, double high, double at_low,
-                                double at_high)
+/// Place in a stretch where the slope is zero, between its points with the slopes @p at_begin and @p at_end.
+FlankCurve::Place turning_place(FlankView const& view, std::size_t stretch, double at_begin, double at_end)
 {
-    constexpr int budget = 100;
-    constexpr double enough = 16 * unit_roundoff;
-    int side = 0;
-    double share = low;
-    for (int i = 0; i < budget && high - low > enough; ++i) {
-        share = (low * at_high - high * at_low) / (at_high - at_low);
-        if (!(share > low && share < high))
-            share = 0.5 * (low + high);
-        double const slope = view.slope({stretch, share});
-        if (slope == 0)
-            break;
-        if (slope > 0) {
-            high = share;
-            at_high = slope;
-            if (side == 1)
-                at_low /= 2;
-            side = 1;
-        } else {
-            low = share;
-            at_low = slope;
-            if (side == -1)
-                at_high /= 2;
-            side = -1;
-        }
-    }
-    return {stretch, share};
+    auto const slope = [&](double share) { return view.slope({stretch, share}); };
+    return {stretch, numeric::bracketed_root(slope, 0, 1, at_begin, at_end).x};
 }
 
 }  // namespace
@@ -100,7 +74,7 @@ std::vector<GapMinimum> gap_minima(FlankView const& view, std::vector<double> co
             found.push_back({{i, 0}, false});  // an edge, or rounding at a point
         begun = true;
         if (at_begin < 0 && at_end > 0)
-            found.push_back({turning_place(view, i, 0, 1, at_begin, at_end), false});
+            found.push_back({turning_place(view, i, at_begin, at_end), false});
         falling = at_end < 0;
     }
     if (begun && falling && gap[last_point] <= view.search.limit)
@@ -135,42 +109,17 @@ double gap_beside(FlankView const& view, GapMinimum const& at, contact::GapField
     return view.gap(curve.point(curve.place(to)));
 }
 
-/// A distance from the minimum and how far the gap there exceeds the level of the strip's end.
-struct StripSample
-{
-    double distance, above;
-};
-
-/// Distance at which the gap reaches the level, between @p below and @p beyond: regula falsi (Illinois) on the square
-/// of the distance, with which the gap grows.
+/// Distance at which the gap reaches the level of the strip's end, between @p low and @p high; sought by its square,
+/// with which the gap grows. @param above  by which the gap exceeds the level, of the distance
 template <class Above>
-double strip_end(Above const& above, StripSample below, StripSample beyond)
+double strip_end(Above const& above, double low, double high, double at_low, double at_high)
 {
-    auto [low, at_low] = below;
-    auto [high, at_high] = beyond;
-    constexpr int budget = 60;
-    constexpr double enough = 1e-6;  // of the width
-    int side = 0;
-    for (int i = 0; i < budget && high - low > enough * high; ++i) {
-        double w = std::sqrt((low * low * at_high - high * high * at_low) / (at_high - at_low));
-        if (!(w > low && w < high))
-            w = 0.5 * (low + high);
-        double const value = above(w);
-        if (value > 0) {
-            high = w;
-            at_high = value;
-            at_low = side == 1 ? at_low / 2 : at_low;
-            side = 1;
-        } else {
-            low = w;
-            at_low = value;
-            at_high = side == -1 ? at_high / 2 : at_high;
-            side = -1;
-            if (value == 0)
-                return w;
-        }
-    }
-    return 0.5 * (low + high);
+    constexpr std::uintmax_t budget = 60;
+    constexpr double enough = 2e-6;  // of the square
+    auto const by_square = [&](double square) { return above(std::sqrt(square)); };
+    auto const last =
+        numeric::shrunk_bracket(by_square, low * low, high * high, at_low, at_high, enough * high * high, budget);
+    return std::sqrt(low * low + 0.5 * (last.low + last.high));
 }
 
 }  // namespace
@@ -193,7 +142,7 @@ ContactStrip contact_strip(FlankView const& view, GapMinimum const& at, contact:
             high = std::min(2 * high, widest);
             at_high = above(high);
         }
-        return at_high <= 0 ? widest : strip_end(above, {low, at_low}, {high, at_high});
+        return at_high <= 0 ? widest : strip_end(above, low, high, at_low, at_high);
     };
     return {end(-1), end(1)};
 }
