@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -13,6 +15,7 @@
 #include "hdconj/error.hpp"
 #include "hdconj/running.hpp"
 #include "hdconj/scene/reading.hpp"
+#include "hdconj/units.hpp"
 #include "judgement/judgement.hpp"
 #include "load/grids/grid_error.hpp"
 #include "load/model/ring_errors.hpp"
@@ -82,17 +85,6 @@ void enter_part(contact::ContactStudyData& data, surface::SurfaceSpec const& spe
     study.solution = pipeline::solution_with_part(data, {spec, tip, offset});
 }
 
-bool is_stopped(SequenceObserver const& observer)
-{
-    return observer.stop && observer.stop();
-}
-
-/// The same observer, which is not told of positions without a result.
-SequenceObserver silent(SequenceObserver const& observer)
-{
-    return {observer.stop, observer.on_position, {}};
-}
-
 /// Adds the errors of what lies between positions at whole pitches.
 /// @param compute  the sequence of a plan
 template <class Compute>
@@ -101,7 +93,7 @@ void add_errors_between(RunSequence& sequence, running::SpanPlan const& plan, ru
 {
     RunSequence const between = compute(running::places_between(plan));
     running::add_places_between(sequence, between, plan, task.motion);
-    if (between.positions.size() < between.planned && is_stopped(observer))
+    if (between.positions.size() < between.planned && observer.is_stopped())
         observer.on_missing("stopped before the errors between the positions were known");
 }
 
@@ -121,10 +113,10 @@ void run_prescribed(contact::ContactStudyData& data, running::RunTask const& tas
         RunSequence sequence = running::first_contacts(plan, task.motion, turn_at, observer);
         running::add_shape_error(sequence, angle);
         if (plan.span != RunSpan::tooth_pitch) {
-            bool const known = options.errors && !is_stopped(observer);
+            bool const known = options.errors && !observer.is_stopped();
             if (known)
                 add_errors_between(sequence, plan, task, observer, [&](running::SpanPlan const& between) {
-                    return running::first_contacts(between, task.motion, turn_at, silent(observer));
+                    return running::first_contacts(between, task.motion, turn_at, observer.silent());
                 });
             else if (options.errors && sequence.positions.size() == sequence.planned)
                 observer.on_missing("stopped before the errors were known");
@@ -162,16 +154,18 @@ void run_elastic_sequence(running::PlannedSequence const& planned, GridPair cons
     };
     running::SpanPlan const& plan = planned.plan;
     RunSequence sequence = sequence_of(plan, drives.fine, observer, least);
+    if (sequence.positions.empty())
+        return;
     LeastPlay unused;
     bool const asked = drives.coarse != nullptr;
-    if (asked && is_stopped(observer)) {
+    if (asked && observer.is_stopped()) {
         if (sequence.positions.size() == sequence.planned)
             observer.on_missing("stopped before the errors were known");
     } else if (asked) {
         if (plan.span != RunSpan::output_turn) {
-            RunSequence const coarse = sequence_of(plan, *drives.coarse, silent(observer), unused);
+            RunSequence const coarse = sequence_of(plan, *drives.coarse, observer.silent(), unused);
             running::add_grid_error(sequence, coarse, drives.safety_of_sequences());
-            if (coarse.positions.size() < sequence.positions.size() && is_stopped(observer))
+            if (coarse.positions.size() < sequence.positions.size() && observer.is_stopped())
                 observer.on_missing("stopped before the errors of all positions were known");
         }
         for (RunSequence const& each : study.sequences)
@@ -179,11 +173,10 @@ void run_elastic_sequence(running::PlannedSequence const& planned, GridPair cons
                 running::add_error_of(sequence, each);
         if (plan.span != RunSpan::tooth_pitch)
             add_errors_between(sequence, plan, task, observer, [&](running::SpanPlan const& between) {
-                return sequence_of(between, drives.fine, silent(observer), least);
+                return sequence_of(between, drives.fine, observer.silent(), least);
             });
     }
-    if (!sequence.positions.empty())
-        study.sequences.push_back(std::move(sequence));
+    study.sequences.push_back(std::move(sequence));
 }
 
 /// Everything of an elastic drive.
@@ -220,6 +213,11 @@ void run_elastic(contact::ContactStudyData& data, running::RunTask const& task, 
             run_elastic_sequence(each, drives, task, observer, least, study);
         if (!context.scene.friction)
             return;
+        bool const balanced =
+            std::ranges::any_of(study.sequences, [](RunSequence const& each) { return each.torque > 0; });
+        if (!balanced && !observer.is_stopped())
+            return observer.on_missing(
+                fmt::format("no losses: no position has a result at {:g} N m", task.torque * per_newton_metre));
         running::LossModel const losses{
             *context.scene.friction, task.motion,
             running::bearing_diameter(context.scene, context.geometry.flexspline_inner_radius)};

@@ -95,7 +95,7 @@ std::vector<LoadedRun> runs_under(std::vector<double> const& torques, TurningDri
     }
     double found = 0;
     for (double const pitches : tooth_pitch_plan(loss_positions).pitches) {
-        if (observer.stop && observer.stop()) {
+        if (observer.is_stopped()) {
             if (observer.on_missing)
                 observer.on_missing("stopped before all losses were known");
             break;
@@ -173,7 +173,7 @@ LossRuns loss_runs(LossModel const& model, TurningDrive const& drive, RunTask co
 LossRuns loss_runs_like(LossRuns const& like, TurningDrive const& drive, RunTask const& task,
                         SequenceObserver const& observer)
 {
-    SequenceObserver const silent{observer.stop, observer.on_position, {}}, unseen{observer.stop, {}, {}};
+    SequenceObserver const silent = observer.silent(), unseen{observer.stop, {}, {}};
     LossRuns runs{{{0, {}, drive.assembled_ball_load()}}, {}, 0};
     std::vector<LoadedRun> loaded = runs_under(task.torques, drive, task.motion, silent);
     std::ranges::move(loaded, std::back_inserter(runs.asked));

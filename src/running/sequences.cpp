@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <optional>
 #include <utility>
 
@@ -30,15 +32,27 @@ std::optional<double> drift_of(RunSequence const& sequence, SpanPlan const& plan
     }
 }
 
-/// Places of a sequence one after the other; those that @p act has no result for are told and left out.
+/// Places of a sequence one after the other; those that @p act has no result for are told and left out. Where the first
+/// quarter has none, the others are not tried.
 template <class Act>
 RunSequence along(SpanPlan const& plan, RunningMotion const& motion, double torque, SequenceObserver const& observer,
                   Act act)
 {
     auto const begin = Clock::now();
     RunSequence sequence{.span = plan.span, .torque = torque, .planned = plan.pitches.size()};
+    constexpr std::size_t fewest_tried = 3;
+    std::size_t const tried = std::max(fewest_tried, plan.pitches.size() / 4);
+    std::size_t failed = 0;
     for (double const pitches : plan.pitches) {
-        if (observer.stop && observer.stop()) {
+        if (failed == tried && sequence.positions.empty()) {
+            if (observer.on_missing)
+                observer.on_missing(
+                    fmt::format("the first {} of {} positions at {:g} N m have no result: the others "
+                                "were not tried",
+                                failed, plan.pitches.size(), torque * per_newton_metre));
+            break;
+        }
+        if (observer.is_stopped()) {
             if (observer.on_missing)
                 observer.on_missing(fmt::format("stopped after {} of {} positions at {:g} N m",
                                                 sequence.positions.size(), plan.pitches.size(),
@@ -50,6 +64,7 @@ RunSequence along(SpanPlan const& plan, RunningMotion const& motion, double torq
             position.angle = pitches * motion.pitch();
             sequence.positions.push_back(position);
         } catch (NumericalError const& error) {
+            ++failed;
             if (observer.on_missing)
                 observer.on_missing(fmt::format("no result at {:g} N m and {:.4g} pitches of the wave generator: {}",
                                                 torque * per_newton_metre, pitches, error.what()));

@@ -16,6 +16,10 @@ struct SequenceObserver
     std::function<bool()> stop;                          ///< null: never
     std::function<void()> on_position;                   ///< null: nobody
     std::function<void(std::string const&)> on_missing;  ///< a position without a result
+
+    [[nodiscard]] bool is_stopped() const { return stop && stop(); }
+    /// The same, which is not told of positions without a result.
+    [[nodiscard]] SequenceObserver silent() const { return {stop, on_position, {}}; }
 };
 
 /// A sequence of first contacts. @param turn_at  turn of the flexspline after so many pitches [rad]

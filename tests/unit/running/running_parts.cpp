@@ -158,6 +158,33 @@ TEST_CASE("a sequence that was stopped says how much of it there is", "[running]
     }
 }
 
+TEST_CASE("positions are not tried on where the first quarter has no result", "[running]")
+{
+    struct Row
+    {
+        int positions, failing, tried;
+    };
+    for (Row const row : {Row{16, 16, 4}, Row{16, 4, 4}, Row{16, 3, 16}, Row{4, 4, 3}, Row{4, 2, 4}}) {
+        CAPTURE(row.positions, row.failing);
+        int tried = 0;
+        std::vector<std::string> told;
+        auto const turn_at = [&](double) {
+            if (++tried <= row.failing)
+                throw NumericalError(ErrorCode::overload, "load", "torque", "the teeth slip");
+            return 0.0;
+        };
+        RunSequence const found =
+            running::first_contacts(running::tooth_pitch_plan(row.positions), motion_of_200(), turn_at,
+                                    {{}, {}, [&](std::string const& cause) { told.push_back(cause); }});
+        CHECK(tried == row.tried);
+        CHECK(found.positions.size() == static_cast<std::size_t>(std::max(0, row.tried - row.failing)));
+        bool const gave_up = row.tried < row.positions;
+        REQUIRE(told.size() == static_cast<std::size_t>(std::min(row.failing, row.tried)) + (gave_up ? 1 : 0));
+        if (gave_up)
+            CHECK_THAT(told.back(), ContainsSubstring("the others were not tried"));
+    }
+}
+
 TEST_CASE("a sequence with missing positions has fewer orders and all its errors", "[running]")
 {
     auto const wave = [](double at) { return std::cos(2 * pi * at) + 0.2 * std::cos(6 * pi * at + 1); };
