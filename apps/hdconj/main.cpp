@@ -16,13 +16,12 @@
 #include <utility>
 #include <vector>
 
+#include "command_faults.hpp"
 #include "hdconj/base/parallel.hpp"
-#include "hdconj/base/suggest.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/file/atomic_file.hpp"
 #include "hdconj/read_scene.hpp"
 #include "hdconj/result_files.hpp"
-#include "hdconj/scene/schema.hpp"
 #include "hdconj/version.hpp"
 #include "heap.hpp"
 #include "verb.hpp"
@@ -119,70 +118,6 @@ int flush_output(int status)
     return lost && status == exit_done ? fail("standard output cannot be written; is the disk full?") : status;
 }
 
-/// Says what the first word might have meant when it is no verb.
-bool is_known_verb(CLI::App const& program, std::string_view word)
-{
-    std::vector<std::string_view> verbs{"study"};
-    for (auto const* const verb : program.get_subcommands([](CLI::App const*) { return true; })) {
-        verbs.push_back(verb->get_name());
-        if (verb->get_name() == word)
-            return true;
-    }
-    std::cerr << "hdconj: unknown verb '" << word << "'";
-    if (auto const meant = nearest(word, verbs)) {
-        std::cerr << "; did you mean 'hdconj " << *meant << "'?\n";
-    } else {
-        std::cerr << "; known:";
-        for (auto const verb : verbs)
-            std::cerr << ' ' << verb;
-        std::cerr << ". A scene file comes after the verb.\n";
-    }
-    return false;
-}
-
-/// Says what options that nobody knows might have meant, one of the verb's or a key of the scene, and what was taken
-/// for the scene where a second one was given.
-void suggest_options(CLI::App const& program, std::string const& scene)
-{
-    auto const chosen = program.get_subcommands();
-    CLI::App const& verb = chosen.empty() ? program : *chosen.front();
-    std::vector<std::string_view> options, keys;
-    for (auto const* const option : verb.get_options())
-        for (auto const& name : option->get_lnames())
-            options.emplace_back(name);
-    bool const has_scene = std::find(options.begin(), options.end(), "set") != options.end();
-    for (auto const& table : scene::scene_schema())
-        for (auto const& key : table.keys)
-            keys.emplace_back(key.spec.key);
-    for (std::string const& given : program.remaining(true)) {
-        if (has_scene && !given.starts_with('-') && given.find('=') != std::string::npos) {
-            std::cerr << "Write --set before each key, such as --set " << given << ".\n";
-            return;
-        }
-        if (!program.get_subcommands([&](CLI::App const* each) { return each->get_name() == given; }).empty()) {
-            std::cerr << "A command runs one verb: write hdconj " << given << " as a command of its own.\n";
-            return;
-        }
-        if (has_scene && !given.starts_with('-')) {
-            std::cerr << "One scene is read, and '" << scene
-                      << "' was taken for it. A list is one word with commas, such as 0,0.1,0.2.\n";
-            return;
-        }
-        if (!given.starts_with("--"))
-            continue;
-        std::string const word = given.substr(2, given.find('=') - 2);
-        if (auto const meant = nearest(word, options)) {
-            std::cerr << "Did you mean --" << *meant << "?\n";
-        } else if (auto const key = nearest(word, keys); key && has_scene) {
-            for (auto const& table : scene::scene_schema())
-                for (auto const& each : table.keys)
-                    if (each.spec.key == *key)
-                        std::cerr << "Did you mean the key " << table.path << '.' << *key
-                                  << " of the scene, such as --set " << table.path << '.' << *key << "=VALUE?\n";
-        }
-    }
-}
-
 void describe_program(CLI::App& program)
 {
     program.name("hdconj");
@@ -258,14 +193,18 @@ int run(int argc, char** argv)
     try {
         std::reverse(words.begin(), words.end());  // as CLI11 takes them
         program.parse(std::move(words));
+    } catch (CLI::ValidationError const& stop) {
+        std::vector<std::string> wrong = wrong_values(program);
+        if (wrong.empty())
+            wrong.emplace_back(stop.what());
+        return refuse_command(wrong, given);
     } catch (CLI::ParseError const& stop) {
-        bool const done = program.exit(stop) == 0;
-        if (!done && std::ranges::find(given, "--json") != given.end())
-            std::cout << check_json("", {Fault{"command line", 0, "", stop.what(), "see --help of the verb"}}, nullptr)
-                      << '\n';
+        if (stop.get_exit_code() == 0)
+            return program.exit(stop);  // help, or the version
+        int const status = refuse_command({stop.what()}, given);
         if (dynamic_cast<CLI::ExtrasError const*>(&stop) != nullptr)
             suggest_options(program, common.scene);
-        return done ? exit_done : exit_input;
+        return status;
     }
     return common.action ? run_action(common) : exit_input;
 }

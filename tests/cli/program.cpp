@@ -86,6 +86,17 @@ TEST_CASE("a wrong command line is refused", "[program]")
     CHECK_FALSE(contains(hdconj_run("check --bogus").err, "Did you mean"));
 }
 
+TEST_CASE("wrong values of several options are told at once", "[program]")
+{
+    auto const said = hdconj_run("load --points 0 --torque -1 --threads 1 --surface foo --json");
+    CHECK(said.status == refused);
+    for (auto const* const told : {"--points: '0' is no whole number from 1 to 1000\n", "--torque: '-1' is not above 0",
+                                   "--surface: unknown word 'foo'", "Run with --help"})
+        CHECK(contains(said.err, told));
+    CHECK_FALSE(contains(said.err, "--threads"));
+    CHECK(nlohmann::json::parse(said.out)["faults"].size() == 3);
+}
+
 TEST_CASE("the scene may stand behind a list, and an option of lists be given twice", "[program]")
 {
     TemporaryFolder const folder;
