@@ -108,7 +108,8 @@ class Search
         try {
             search.find(offset, begin);
             search.check_turn();
-        } catch (NumericalError const&) {
+        } catch (NumericalError const& error) {
+            error.rethrow_unless_infeasible();
             moved.rows.clear();
         }
         return moved;
