@@ -79,13 +79,17 @@ ContactOptions options_of(ContactArguments const& own)
 
 int run_contact(CommonOptions const& common, ContactArguments const& own)
 {
-    if (own.ring && own.xdmf.empty() && own.stl.empty() && own.vtk.empty())
-        throw InputError(Fault{"--ring", 0, "", "no surface file is asked for that could hold the whole ring",
-                               "write --xdmf, --stl or --vtk with a file name, or leave --ring out"});
-    Scene const scene = load_drive(common);
+    auto const reading = examine_drive(common);
+    Scene const& scene = reading.scene;
     ContactOptions const options = options_of(own);
-    refuse(check_contact(scene, options));
     Work<ContactStudy> work;
+    work.faults = reading.faults;
+    if (work.faults.empty())
+        append(work.faults, check_contact(scene, options));
+    sort_by_place(work.faults);
+    if (own.ring && own.xdmf.empty() && own.stl.empty() && own.vtk.empty())
+        work.faults.push_back({"--ring", 0, "", "no surface file is asked for that could hold the whole ring",
+                               "write --xdmf, --stl or --vtk with a file name, or leave --ring out"});
     work.inputs = inputs_of(common, scene);
     add_files(work, common, own, scene);
     work.compute = [&](ProgressLine const& progress) {

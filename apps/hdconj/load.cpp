@@ -112,9 +112,9 @@ int run_load(CommonOptions const& common, LoadArguments const& own)
     sort_by_place(faults);
     check_options(own, faults);
     auto const measurement = measurement_of(own, scene, faults);
-    refuse(std::move(faults));
     Measurement const* const measured = measurement ? &*measurement : nullptr;
     Work<LoadStudy> work;
+    work.faults = std::move(faults);
     work.inputs = inputs_of(common, scene);
     append(work.inputs, input_of("--measured", own.measured));
     add_files(work, common, own, scene, measured);

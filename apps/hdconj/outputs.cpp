@@ -2,8 +2,9 @@
 #include "outputs.hpp"
 
 #include <cctype>
+#include <optional>
+#include <utility>
 
-#include "hdconj/error.hpp"
 #include "hdconj/file/atomic_file.hpp"
 #include "hdconj/profile/registry.hpp"
 #include "hdconj/scene/number_pairs.hpp"
@@ -61,6 +62,20 @@ void refuse_to_share(OutputTarget const& target, OutputTarget const& other)
             refuse_target(target, "is written by " + other.option + " too", "another name");
 }
 
+/// Throws where the file of @p target is no other one than those that are @p read or are written too.
+void check_name(OutputTarget const& target, std::vector<OutputTarget> const& targets,
+                std::vector<InputFile> const& read)
+{
+    if (target.file == "-")
+        refuse_target(target, "results are files and do not go to standard output",
+                      "a file name; --json prints the figures to standard output");
+    for (auto const& input : read)
+        refuse_to_replace(target, input);
+    for (auto const& other : targets)
+        if (&other != &target)
+            refuse_to_share(target, other);
+}
+
 /// Files that the keys of one family name.
 void append_files(scene::FamilyChoice const& choice, std::vector<scene::FamilyDescription> const& families,
                   fs::path const& folder, std::vector<InputFile>& files)
@@ -115,20 +130,22 @@ std::vector<InputFile> input_of(std::string const& option, std::string const& fi
     return file.empty() ? std::vector<InputFile>{} : std::vector<InputFile>{{file, "this file is read by " + option}};
 }
 
-void check_outputs(std::vector<OutputTarget> const& targets, std::vector<InputFile> const& read)
+void check_outputs(std::vector<OutputTarget> const& targets, std::vector<InputFile> const& read, Faults faults)
 {
+    std::optional<FileError> unwritable;
     for (auto const& target : targets) {
-        if (target.file == "-")
-            refuse_target(target, "results are files and do not go to standard output",
-                          "a file name; --json prints the figures to standard output");
-        for (auto const& input : read)
-            refuse_to_replace(target, input);
-        for (auto const& other : targets)
-            if (&other != &target)
-                refuse_to_share(target, other);
+        try {
+            check_name(target, targets, read);
+            target.check();
+        } catch (InputError const& error) {
+            append(faults, error.faults());
+        } catch (FileError const& error) {
+            unwritable.emplace(error);
+        }
     }
-    for (auto const& target : targets)
-        target.check();
+    throw_if_any(std::move(faults));
+    if (unwritable)
+        throw FileError(*unwritable);
 }
 
 std::function<void(fs::path const&)> check_ending(std::string option, std::string ending, std::string reader)

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hdconj/error.hpp"
 #include "hdconj/scene.hpp"
 
 namespace hdconj::cli {
@@ -38,9 +39,10 @@ struct OutputTarget
 };
 
 /// Everything about the targets that can be known before the long work.
-/// @param read  files that no result may replace
-/// @throws InputError, FileError
-void check_outputs(std::vector<OutputTarget> const& targets, std::vector<InputFile> const& read);
+/// @param read    files that no result may replace
+/// @param faults  that were found before
+/// @throws InputError with all faults; FileError where there is none
+void check_outputs(std::vector<OutputTarget> const& targets, std::vector<InputFile> const& read, Faults faults);
 
 /// A check of a target of @p option, whose name must end in @p ending: check_target(), and that.
 /// @param reader  that knows the file by it

@@ -54,8 +54,8 @@ int run_run(CommonOptions const& common, RunArguments const& own)
     if (faults.empty())
         append(faults, check_run(scene, options));
     sort_by_place(faults);
-    refuse(std::move(faults));
     Work<RunStudy> work;
+    work.faults = std::move(faults);
     work.inputs = inputs_of(common, scene);
     add_run_files(work, common, own, scene);
     work.compute = [&](ProgressLine const& progress) {

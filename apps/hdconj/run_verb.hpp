@@ -56,6 +56,7 @@ struct Output
 template <class Result>
 struct Work
 {
+    Faults faults;                  ///< of the scene and of options, which are told with those of the outputs
     std::vector<InputFile> inputs;  ///< that no output may replace
     std::vector<Output<Result>> outputs;
     std::function<Result(ProgressLine const&)> compute;
@@ -110,7 +111,7 @@ int run_verb(CommonOptions const& common, Work<Result> const& work)
     std::vector<OutputTarget> targets;
     for (auto const& output : work.outputs)
         targets.push_back(output.target);
-    check_outputs(targets, work.inputs);
+    check_outputs(targets, work.inputs, work.faults);
     Written written;
     ProgressLine const progress(!common.quiet);
     Result result = work.compute(progress);

@@ -97,6 +97,21 @@ TEST_CASE("wrong values of several options are told at once", "[program]")
     CHECK(nlohmann::json::parse(said.out)["faults"].size() == 3);
 }
 
+TEST_CASE("faults of the scene, of options and of outputs are told at once", "[program]")
+{
+    for (auto const* const verb : {"contact", "load", "run"}) {
+        CAPTURE(verb);
+        auto const said = hdconj_run(std::string(verb) + " --set drive.module=-1 -o - --picture a.txt");
+        CHECK(said.status == refused);
+        for (auto const* const told : {"hdconj: 3 faults\n", "drive.module = -1", "--output = -", "--picture = a"})
+            CHECK(contains(said.err, told));
+    }
+    auto const said = hdconj_run("contact --ring -o nowhere/x.h5");
+    CHECK(said.status == refused);  // a folder that does not exist is told where nothing else is wrong
+    CHECK(contains(said.err, "hdconj: 1 fault\n--ring"));
+    CHECK(hdconj_run("contact -o nowhere/x.h5").status == failed);
+}
+
 TEST_CASE("the scene may stand behind a list, and an option of lists be given twice", "[program]")
 {
     TemporaryFolder const folder;
