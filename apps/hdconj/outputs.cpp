@@ -140,7 +140,8 @@ void check_outputs(std::vector<OutputTarget> const& targets, std::vector<InputFi
         } catch (InputError const& error) {
             append(faults, error.faults());
         } catch (FileError const& error) {
-            unwritable.emplace(error);
+            if (!unwritable)
+                unwritable.emplace(error);
         }
     }
     throw_if_any(std::move(faults));

@@ -26,10 +26,9 @@ struct SolveArguments
 };
 
 /// Options that only one of both problems has.
-void check_options(Scene const& scene, SolveArguments const& own)
+void check_options(Scene const& scene, SolveArguments const& own, Faults& faults)
 {
     bool const wanted = scene.wants_neutral_curve();
-    Faults faults;
     auto const keep_to = [&](char const* option, std::string const& value, bool of_wanted) {
         if (value.empty() || wanted == of_wanted)
             return;
@@ -44,13 +43,14 @@ void check_options(Scene const& scene, SolveArguments const& own)
     keep_to("--cam", own.cam, true);
     keep_to("--inner-surface", own.inner_surface, true);
     keep_to("--completed", own.completed, true);
-    refuse(std::move(faults));
 }
 
 /// The neutral curve between both given teeth.
-int run_wanted(CommonOptions const& common, SolveArguments const& own, Scene const& scene)
+int run_wanted(CommonOptions const& common, SolveArguments const& own, scene::SceneReading const& reading)
 {
+    Scene const& scene = reading.scene;
     Work<WantedCurve> work;
+    work.faults = reading.faults;
     work.inputs = inputs_of(common, scene);
     add_file(work, "hdf5", "--output", output_name(common, own.output, scene, ".h5"),
              [](WantedCurve const& found, fs::path const& file) { write_hdf5(found, file); });
@@ -70,11 +70,14 @@ int run_wanted(CommonOptions const& common, SolveArguments const& own, Scene con
 
 int run_solve(CommonOptions const& common, SolveArguments const& own)
 {
-    Scene const scene = load_scene(common);
-    check_options(scene, own);
+    auto reading = examine(common);
+    Scene const& scene = reading.scene;
+    sort_by_place(reading.faults);
+    check_options(scene, own, reading.faults);
     if (scene.wants_neutral_curve())
-        return run_wanted(common, own, scene);
+        return run_wanted(common, own, reading);
     Work<Solution> work;
+    work.faults = reading.faults;
     work.inputs = inputs_of(common, scene);
     add_file(work, "hdf5", "--output", output_name(common, own.output, scene, ".h5"),
              [](Solution const& solution, fs::path const& file) { write_hdf5(solution, file); });

@@ -21,13 +21,6 @@ std::string standard_input()
     return text;
 }
 
-Scene scene_of(scene::SceneReading reading)
-{
-    sort_by_place(reading.faults);
-    refuse(std::move(reading.faults));
-    return std::move(reading.scene);
-}
-
 }  // namespace
 
 void add_scene_options(CLI::App& verb, CommonOptions& common)
@@ -81,14 +74,12 @@ scene::SceneReading examine_drive(CommonOptions const& common)
     return reading;
 }
 
-Scene load_scene(CommonOptions const& common)
-{
-    return scene_of(examine(common));
-}
-
 Scene load_drive(CommonOptions const& common)
 {
-    return scene_of(examine_drive(common));
+    auto reading = examine_drive(common);
+    sort_by_place(reading.faults);
+    refuse(std::move(reading.faults));
+    return std::move(reading.scene);
 }
 
 std::string scene_name(CommonOptions const& common)

@@ -8,7 +8,7 @@
 //     add_scene_options(verb, common);
 //     add_name(verb, "--dxf", own.dxf, "outlines for CAD", "FILE");
 //
-// The function that runs it reads the scene (load_scene), states its files and its computation, and hands them to
+// The function that runs it reads the scene (examine), states its files and its computation, and hands them to
 // run_verb (run_verb.hpp). Nothing runs while the command line is being parsed, so that an exception of a verb never
 // meets the parser. main.cpp turns exceptions into exit statuses.
 #pragma once
@@ -85,11 +85,8 @@ void add_strict(CLI::App& verb, CommonOptions& common);
 /// The same for a verb that needs a known neutral curve: where it is wanted, that is the only fault.
 [[nodiscard]] scene::SceneReading examine_drive(CommonOptions const& common);
 
-/// What examine() reads, for a verb that computes.
+/// What examine_drive() reads, for a verb that computes.
 /// @throws InputError with every fault, effects that this version does not compute among them
-[[nodiscard]] Scene load_scene(CommonOptions const& common);
-
-/// The same of examine_drive().
 [[nodiscard]] Scene load_drive(CommonOptions const& common);
 
 /// How messages call the scene of @p common: its file name, "standard input" or "the built-in scene".

@@ -99,7 +99,7 @@ TEST_CASE("wrong values of several options are told at once", "[program]")
 
 TEST_CASE("faults of the scene, of options and of outputs are told at once", "[program]")
 {
-    for (auto const* const verb : {"contact", "load", "run"}) {
+    for (auto const* const verb : {"solve", "contact", "load", "run"}) {
         CAPTURE(verb);
         auto const said = hdconj_run(std::string(verb) + " --set drive.module=-1 -o - --picture a.txt");
         CHECK(said.status == refused);
