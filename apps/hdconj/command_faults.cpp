@@ -34,7 +34,7 @@ bool is_known_verb(CLI::App const& program, std::string_view word)
     return false;
 }
 
-void suggest_options(CLI::App const& program, std::string const& scene)
+void suggest_options(CLI::App const& program, std::vector<std::string> const& unexpected, std::string const& scene)
 {
     auto const chosen = program.get_subcommands();
     CLI::App const& verb = chosen.empty() ? program : *chosen.front();
@@ -43,10 +43,13 @@ void suggest_options(CLI::App const& program, std::string const& scene)
         for (auto const& name : option->get_lnames())
             options.emplace_back(name);
     bool const has_scene = std::find(options.begin(), options.end(), "set") != options.end();
+    bool const begins_with_option = unexpected.front().starts_with('-');  // a word behind it is its value
     for (auto const& table : scene::scene_schema())
         for (auto const& key : table.keys)
             keys.emplace_back(key.spec.key);
-    for (std::string const& given : program.remaining(true)) {
+    for (std::string const& given : unexpected) {
+        if (begins_with_option && !given.starts_with('-'))
+            continue;
         if (has_scene && !given.starts_with('-') && given.find('=') != std::string::npos) {
             std::cerr << "Write --set before each key, such as --set " << given << ".\n";
             return;

@@ -21,6 +21,7 @@ namespace hdconj::cli {
 
 /// Says what options that nobody knows might have meant, one of the verb's or a key of the scene, and what was taken
 /// for the scene where a second one was given.
-void suggest_options(CLI::App const& program, std::string const& scene);
+/// @param unexpected  words, at least one
+void suggest_options(CLI::App const& program, std::vector<std::string> const& unexpected, std::string const& scene);
 
 }  // namespace hdconj::cli

@@ -198,13 +198,14 @@ int run(int argc, char** argv)
         if (wrong.empty())
             wrong.emplace_back(stop.what());
         return refuse_command(wrong, given);
-    } catch (CLI::ParseError const& stop) {
-        if (stop.get_exit_code() == 0)
-            return program.exit(stop);  // help, or the version
-        int const status = refuse_command({stop.what()}, given);
-        if (dynamic_cast<CLI::ExtrasError const*>(&stop) != nullptr)
-            suggest_options(program, common.scene);
+    } catch (CLI::ExtrasError const&) {
+        std::vector<std::string> const unexpected = program.remaining(true);
+        int const status =
+            refuse_command({fmt::format("The following was not expected: {}", fmt::join(unexpected, " "))}, given);
+        suggest_options(program, unexpected, common.scene);
         return status;
+    } catch (CLI::ParseError const& stop) {
+        return stop.get_exit_code() == 0 ? program.exit(stop) : refuse_command({stop.what()}, given);
     }
     return common.action ? run_action(common) : exit_input;
 }
