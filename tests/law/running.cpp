@@ -341,6 +341,18 @@ TEST_CASE("the back-driving torque does not depend on the torques of the efficie
     CHECK(found[2] == Approx(found[0]).epsilon(2e-3));
 }
 
+TEST_CASE("a torque under which the teeth slip leaves what is known without it", "[running]")
+{
+    RunStudy const study = loaded({"load.torque=4000", "friction.flanks=0.1"});
+    REQUIRE(study.sequences.size() == 1);
+    CHECK(study.sequences.front().torque == 0);
+    CHECK_FALSE(study.losses);
+    REQUIRE(study.missing.size() == 5);  // three of four positions, that the last was not tried, and the losses
+    CHECK_THAT(study.missing.front(), ContainsSubstring("they slip over each other"));
+    CHECK_THAT(study.missing[3], ContainsSubstring("the others were not tried"));
+    CHECK_THAT(study.missing.back(), ContainsSubstring("no losses: no position has a result"));
+}
+
 TEST_CASE("torque and friction of a designed drive are within their errors of a finer grid", "[running]")
 {
     DesignWishes wishes;
