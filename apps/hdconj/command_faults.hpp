@@ -12,15 +12,18 @@ namespace hdconj::cli {
 /// Says what the first word might have meant when it is no verb.
 [[nodiscard]] bool is_known_verb(CLI::App const& program, std::string_view word);
 
-/// What is wrong with the values that were given to options of the chosen verb, each as "--torque: '-1' is not above 0
-/// (...)". The parser itself tells of the first alone.
+/// The wrong values of the options of the chosen verb, each as "--torque: '-1' is not above 0 (...)". CLI11 itself
+/// stops at the first wrong value.
 [[nodiscard]] std::vector<std::string> wrong_values(CLI::App& program);
 
-/// Says what is wrong with the command line of the words @p given. @returns the status to exit with
+/// Prints what is wrong with the command line, as JSON too where @p given contains --json.
+/// @param wrong  what is wrong, one sentence each
+/// @param given  the words of the command line
+/// @returns the exit status for wrong input
 [[nodiscard]] int refuse_command(std::vector<std::string> const& wrong, std::vector<std::string> const& given);
 
-/// Says what options that nobody knows might have meant, one of the verb's or a key of the scene, and what was taken
-/// for the scene where a second one was given.
+/// Prints which option of the verb, or which key of the scene, an unknown option may have meant. Where a second scene
+/// was given, prints which word was taken for the first.
 /// @param unexpected  words, at least one
 void suggest_options(CLI::App const& program, std::vector<std::string> const& unexpected, std::string const& scene);
 

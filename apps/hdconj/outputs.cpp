@@ -62,7 +62,7 @@ void refuse_to_share(OutputTarget const& target, OutputTarget const& other)
             refuse_target(target, "is written by " + other.option + " too", "another name");
 }
 
-/// Throws where the file of @p target is no other one than those that are @p read or are written too.
+/// Throws where the target is standard output, a file that is read, or a file that another target writes too.
 void check_name(OutputTarget const& target, std::vector<OutputTarget> const& targets,
                 std::vector<InputFile> const& read)
 {

@@ -11,7 +11,8 @@
 namespace hdconj::load {
 namespace {
 
-/// Place in a stretch where the slope is zero, between its points with the slopes @p at_begin and @p at_end.
+/// Place in a stretch where the slope is zero.
+/// @param at_begin, at_end  slopes at the ends of the stretch, of opposite signs
 FlankCurve::Place turning_place(FlankView const& view, std::size_t stretch, double at_begin, double at_end)
 {
     auto const slope = [&](double share) { return view.slope({stretch, share}); };
@@ -109,8 +110,9 @@ double gap_beside(FlankView const& view, GapMinimum const& at, contact::GapField
     return view.gap(curve.point(curve.place(to)));
 }
 
-/// Distance at which the gap reaches the level of the strip's end, between @p low and @p high; sought by its square,
-/// with which the gap grows. @param above  by which the gap exceeds the level, of the distance
+/// Distance between @p low and @p high at which the gap reaches the level that ends the strip. The root is found in the
+/// square of the distance, since the gap grows with that square.
+/// @param above  the gap minus that level, a function of the distance
 template <class Above>
 double strip_end(Above const& above, double low, double high, double at_low, double at_high)
 {

@@ -32,8 +32,8 @@ std::optional<double> drift_of(RunSequence const& sequence, SpanPlan const& plan
     }
 }
 
-/// Places of a sequence one after the other; those that @p act has no result for are told and left out. Where the first
-/// quarter has none, the others are not tried.
+/// Computes the positions of a sequence in their order. A position without a result is reported and left out. If the
+/// whole first quarter has no result, the remaining positions are not tried.
 template <class Act>
 RunSequence along(SpanPlan const& plan, RunningMotion const& motion, double torque, SequenceObserver const& observer,
                   Act act)

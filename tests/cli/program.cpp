@@ -83,7 +83,7 @@ TEST_CASE("a wrong command line is refused", "[program]")
     check_bad_input(hdconj_run("check --for load " HDCONJ_SOURCE_DIR "/data/scenes/s-tooth.toml"),
                     "a load needs the cup's dimensions");
     check_bad_input(hdconj_run("--versoin"), "Did you mean --version?");
-    auto const unknown = hdconj_run("check a.toml --bogus b.toml");  // the value of an option that nobody knows
+    auto const unknown = hdconj_run("check a.toml --bogus b.toml");  // the value of an unknown option
     check_bad_input(unknown, "The following was not expected: --bogus b.toml\n");
     CHECK_FALSE(contains(unknown.err, "One scene is read"));
     CHECK_FALSE(contains(hdconj_run("check --bogus").err, "Did you mean"));

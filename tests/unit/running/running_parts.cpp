@@ -158,7 +158,7 @@ TEST_CASE("a sequence that was stopped says how much of it there is", "[running]
     }
 }
 
-TEST_CASE("positions are not tried on where the first quarter has no result", "[running]")
+TEST_CASE("the rest of a sequence is not tried where its first quarter has no result", "[running]")
 {
     struct Row
     {
